@@ -74,6 +74,10 @@ pinhole_core::texts! {
     Substitution: "substitution ";
     /// The coordinate along a plane's normal is solved for t.
     Coordinate: "coordinate ";
+    /// The vector between the eye and the object: `p - centre` of a sphere, `point - p` of a plane.
+    Offset: "offset ";
+    /// The square of its length.
+    OffsetSquared: "offset squared ";
     /// The coefficients of the equation for t are computed.
     Coefficients: "coefficients ";
     /// The quadratic equation is solved for t.
@@ -119,6 +123,11 @@ impl Concepts {
     /// Returns true if the concept is in the set.
     pub fn contains(self, concept: Concept) -> bool {
         self.0 & concept.bit() != 0
+    }
+
+    /// Returns true if the other set has all concepts of this one.
+    pub fn is_within(self, other: Concepts) -> bool {
+        self.0 & !other.0 == 0
     }
 }
 
@@ -217,8 +226,14 @@ impl Concept {
             Concept::AlongU | Concept::AlongV | Concept::AlongW => {
                 &[Concept::AlongU, Concept::AlongV, Concept::AlongW]
             }
+            Concept::Equation { step: EquationStep::Offset, .. } => &[Concept::Direction],
             _ => &[],
         }
+    }
+
+    /// Returns true for one of the vectors that lead tip to tail along d.
+    pub fn is_leg(self) -> bool {
+        matches!(self, Concept::AlongU | Concept::AlongV | Concept::AlongW)
     }
 
     /// Returns the concepts out of which this one grows when its line follows theirs, and which stay beside it.
@@ -245,6 +260,9 @@ impl Concept {
     /// Returns the concept that the views highlight for this one.
     pub fn in_views(self) -> Concept {
         match self {
+            Concept::Equation {
+                step: EquationStep::Offset | EquationStep::OffsetSquared, ..
+            } => self,
             Concept::Equation { object, .. } => Concept::Object(object),
             other => other,
         }

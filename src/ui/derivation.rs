@@ -204,9 +204,9 @@ pub(crate) fn card(ui: &mut Ui, context: &mut PageContext<'_>, all: &Arc<Derivat
     let lines: Vec<(&DerivedLine, &LaidLine)> = lines.zip(laid.lines.iter().flatten()).collect();
     let shown = &lines[..frame.revealed.unwrap_or(lines.len()).min(lines.len())];
     let newest = frame.revealed.and(shown.len().checked_sub(1));
-    // Of the lines about what the newest one directs to, only that one is lit.
+    // Of the lines about what the newest one directs to, only that one is lit, and none that the step highlights.
     let hovered = session.live.hovered.map(|hovered| hovered.concept);
-    let highlighted = hovered.or(session.shown.highlighted);
+    let highlighted = hovered.or(session.shown.highlighted.filter(|_| newest.is_none()));
     let mut room = ui.available_height();
     let fits = |(_, laid): &&(&DerivedLine, &LaidLine)| {
         room -= laid.height + BETWEEN_LINES;

@@ -8,7 +8,9 @@ use pinhole_lecture::{ObjectDerivation, PlaneDerivation, PlaneMeeting, SphereDer
 use super::DerivedLine;
 use super::camera::along;
 use super::numbers::{CENTRE, D, HIT, N, NumberFormat, P, POINT, T, dot, equation, joined, minus};
-use crate::EquationStep::{self, Coefficients, Coordinate, Discriminant, Solution, Substitution};
+use crate::EquationStep::{
+    self, Coefficients, Coordinate, Discriminant, Offset, OffsetSquared, Solution, Substitution,
+};
 use crate::formula::{
     Formula, Operator, SymbolInk, fraction, index, negative, norm, number, parentheses, power, row,
     square_root,
@@ -78,6 +80,11 @@ impl ObjectLines<'_> {
         self.noted_line(step, sides, "");
     }
 
+    /// Returns the concept of a step on the way to t.
+    fn concept_of(&self, step: EquationStep) -> Concept {
+        Concept::Equation { object: self.object, step }
+    }
+
     /// Lets the line that was added last direct the figure to this concept in place of the object.
     fn directs_to(&mut self, concept: Concept) {
         if let Some(line) = self.lines.last_mut() {
@@ -86,7 +93,7 @@ impl ObjectLines<'_> {
     }
 
     fn noted_line<const N: usize>(&mut self, step: EquationStep, sides: [Formula; N], note: &str) {
-        let concept = Concept::Equation { object: self.object, step };
+        let concept = self.concept_of(step);
         self.lines.push(DerivedLine::chain(concept, sides).noted(note));
     }
 
@@ -161,6 +168,7 @@ impl ObjectLines<'_> {
         let (p, c) = (numbers.vector(self.ray.origin), numbers.vector(derivation.sphere.center));
         let sides = [minus(P, CENTRE), minus(p, c), numbers.vector(derivation.from_center)];
         self.lines.push(DerivedLine::chain(Concept::Object(self.object), sides));
+        self.directs_to(self.concept_of(Offset));
         let d = || numbers.vector(self.ray.direction);
         let oc = || numbers.vector(derivation.from_center);
         let from_centre = minus(P, CENTRE);
@@ -171,14 +179,14 @@ impl ObjectLines<'_> {
         let parts = [
             (Concept::Direction, A, dot(D, D), dot(d(), d()), quadratic.a),
             (
-                Concept::Ray,
+                self.concept_of(Offset),
                 B,
                 dot(D, parentheses(from_centre.clone())),
                 dot(d(), oc()),
                 quadratic.b,
             ),
             (
-                Concept::Object(self.object),
+                self.concept_of(OffsetSquared),
                 C,
                 squares(norm(from_centre), R),
                 squares(norm(oc()), squared(radius)),
@@ -268,11 +276,13 @@ impl ObjectLines<'_> {
         self.line(Coefficients, zero(n(), minus(self.ray_in_numbers(), point.clone())));
         let sides = [row([T, parentheses(dot(N, D))]), dot(N, to_point.clone())];
         self.noted_line(Substitution, sides, "multiplied out");
+        self.directs_to(self.concept_of(Offset));
         let sides = [dot(N, D), dot(n(), numbers.vector(self.ray.direction)), rate()];
         self.line(Coefficients, sides);
         let substituted = dot(n(), parentheses(minus(point, p)));
         let offset = numbers.scalar(derivation.terms.offset);
         self.line(Coefficients, [dot(N, to_point.clone()), substituted, offset.clone()]);
+        self.directs_to(self.concept_of(Offset));
         let quotient = fraction(dot(N, to_point), dot(N, D));
         let Some(root) = derivation.root else {
             let note = match derivation.meeting {
@@ -310,6 +320,9 @@ impl ObjectLines<'_> {
         let sides = [along(P, t, D), substituted, numbers.vector(hit.point)];
         let formula = name.into_iter().chain(sides).reduce(equation).unwrap_or_else(|| row([]));
         self.lines.push(DerivedLine::new(self.root_concept(k), formula));
+        if self.is_first_hit(hit) {
+            self.directs_to(Concept::Ray);
+        }
     }
 
     /// Adds the line that computes the normal at the ray's first hit.

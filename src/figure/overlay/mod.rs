@@ -63,7 +63,7 @@ use layers::{BAND, Bowl, Layers, PlanePatch, ViewportLayer, mix, opposing_grey};
 use line_style::{Head, LineStyle};
 use paint::{Fills, StretchedPicture};
 use parts::camera::corners;
-use parts::emphasis::{ACCOMPANYING, Emphasis, STRONG, dim, first};
+use parts::emphasis::{ACCOMPANYING, BUD, Emphasis, STRONG, dim, first};
 use parts::ray::{UvLeg, uv_legs};
 use parts::{ASKED_SPHERES, DrawnPart, Form, Part, Toward, When};
 use pixel_numbers::{half_extent, numbers};

@@ -4,15 +4,12 @@
 
 use egui::Context;
 use pinhole_figure::Observer;
-use pinhole_figure::concept::Directed;
+use pinhole_figure::concept::{Concepts, Directed};
 
 use crate::model::OpenLesson;
 
 /// Duration of a glide, in seconds.
 const DURATION: f64 = 0.5;
-
-/// The share of its length with which an arrow begins to grow.
-const BUD: f64 = 0.05;
 
 /// The observer that is shown while it glides from view to view.
 #[derive(Default)]
@@ -23,8 +20,19 @@ pub(super) struct Glide {
     shown: Option<Observer>,
     /// The observer from which the glide began, and the time in seconds at which it did.
     from: Option<(Observer, f64)>,
-    /// What the newest revealed line is about, and the time in seconds since which that grows.
-    directed: Option<(Directed, f64)>,
+    growing: Growing,
+}
+
+/// What grows because a line was revealed, or goes back because one was taken back.
+#[derive(Default)]
+struct Growing {
+    step: Option<OpenLesson>,
+    /// What the newest revealed line is about.
+    directed: Option<Directed>,
+    /// What the line was about that was taken back.
+    taken_back: Option<Directed>,
+    /// The time in seconds since which it grows.
+    since: f64,
 }
 
 impl Glide {
@@ -62,28 +70,39 @@ impl Glide {
         self.shown
     }
 
-    /// Returns the share of the newest line's concept that is drawn while it grows; `None` once it is whole. A press of
-    /// the mouse ends the growth; with `is_still` there is none.
+    /// Returns what the figure is directed to while it grows, and the share of its growth that is over; `None` once it
+    /// is whole. What a line made goes back into what it was made from when the line is taken back. A press of the
+    /// mouse ends the growth; with `is_still` there is none.
     pub(super) fn growth(
         &mut self,
         ctx: &Context,
         directed: Option<Directed>,
         is_still: bool,
-    ) -> Option<f64> {
+    ) -> Option<(Directed, f64)> {
         let (time, is_pressed) = ctx.input(|i| (i.time, i.pointer.any_down()));
-        if self.directed.map(|(before, _)| before) != directed {
-            self.directed = directed.map(|directed| (directed, time));
+        let growing = &mut self.growing;
+        if growing.directed != directed || growing.step != self.step {
+            let spoken = directed.map_or(Concepts::default(), |directed| directed.spoken);
+            let is_taken_back = |before: &Directed| {
+                spoken != before.spoken && spoken.is_within(before.spoken) && !before.is_of_step
+            };
+            let taken_back = growing.directed.filter(is_taken_back);
+            let same_step = growing.step == self.step;
+            let taken_back = taken_back.filter(|_| same_step);
+            *growing = Growing { step: self.step.clone(), directed, taken_back, since: time };
         }
-        let (_, start) = self.directed.as_mut()?;
         if is_pressed || is_still {
-            *start = f64::NEG_INFINITY;
+            growing.since = f64::NEG_INFINITY;
         }
-        let share = (time - *start) / DURATION;
+        let share = (time - growing.since) / DURATION;
         if share >= 1.0 {
             return None;
         }
         ctx.request_repaint();
-        Some(eased(share).max(BUD))
+        match growing.taken_back {
+            Some(taken_back) => Some((taken_back, 1.0 - eased(share))),
+            None => directed.map(|directed| (directed, eased(share))),
+        }
     }
 }
 

@@ -123,7 +123,8 @@ impl App {
         let growth = views.glide.growth(ctx, session.live.directed, is_still);
         let gliding = (observer != session.shown.observer || growth.is_some()).then(|| {
             let shown = Shown { observer, ..session.shown.clone() };
-            let live = Live { growth, ..session.live.clone() };
+            let mut live = Live { growth: growth.map(|(_, share)| share), ..session.live.clone() };
+            live.directed = growth.map(|(directed, _)| directed).or(live.directed);
             Session { shown, live, ..session.clone() }
         });
         let session = gliding.as_ref().unwrap_or(session);

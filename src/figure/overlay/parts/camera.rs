@@ -8,8 +8,8 @@ use pinhole_lecture::{BasisDerivation, Cross};
 
 use super::{ASKED_SPHERES, Form, Length, Parts, Place, Toward, When};
 use crate::overlay::{
-    ACCOMPANYING, FINE, Head, LABEL_DIGITS, LineStyle, MEDIUM, POINT, THICK, THIN, VECTOR, equals,
-    unit,
+    ACCOMPANYING, BUD, FINE, Head, LABEL_DIGITS, LineStyle, MEDIUM, POINT, THICK, THIN, VECTOR,
+    equals, unit,
 };
 use crate::{Concept, Item, OverlayItems};
 
@@ -255,6 +255,20 @@ impl Parts<'_> {
         .named("up", POINT);
     }
 
+    /// Returns the length at which the vector is drawn that becomes u or w when its length is made 1.
+    fn length_before(&self, concept: Concept) -> f64 {
+        match (concept, BasisDerivation::new(&self.figure.camera)) {
+            (Concept::U, BasisDerivation::FromUp(from_up)) => {
+                let cross = from_up.up_cross_w.filter(|cross| cross.sine.is_some());
+                cross.map_or(BUD, |cross| {
+                    side_length(cross.first.length) * cross.sine.unwrap_or(1.0)
+                })
+            }
+            (Concept::W, BasisDerivation::FromUp(_)) => VIEW_LENGTH,
+            _ => BUD,
+        }
+    }
+
     fn basis(&mut self, resolved: &ResolvedCamera) {
         let (eye, basis, colors) = (resolved.eye(), resolved.basis(), self.colors);
         let inks = colors.basis.into_iter().zip(colors.patterns).zip(self.figure.items.of_basis());
@@ -263,7 +277,9 @@ impl Parts<'_> {
             let pen = LineStyle::new(item, color, THICK).about(concept).patterned(pattern);
             // The label of the lit product names v.
             let is_named = concept != Concept::V || !self.figure.is_lit(Concept::WCrossU);
+            let bud = self.length_before(concept);
             let part = self.arrow_from(eye, vector, head, pen);
+            part.bud = bud;
             if is_named {
                 part.named(name, VECTOR);
             }

@@ -9,7 +9,7 @@ use pinhole_lecture::numbers::equated;
 use super::{Form, Part, When};
 use crate::concept::Concepts;
 use crate::overlay::{Colors, DIMMED, Drawing, LABEL_DIGITS, LEGIBLE, Label, Request, VISIBLE};
-use crate::{Concept, OverlayItems};
+use crate::{Concept, Item, OverlayItems};
 
 /// The highlighted concept, and the inputs for drawing it.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -26,17 +26,20 @@ pub struct Highlighted {
     pub spoken: Concepts,
     /// True if the concept is one of several that a lesson's step names, of which none is more than the others.
     pub is_of_step: bool,
-    /// The share of its lines and arrows that is drawn, from their starts: below 1 while they grow.
+    /// The share of its growth that is over: below 1 while its arrows, lines and areas grow.
     pub growth: f64,
 }
 
 impl Highlighted {
     /// Returns true if another concept is drawn with the highlighted one because that is made from it. While lines are
-    /// revealed, only concepts that they have spoken of are.
+    /// revealed, only the legs of a chain that they have spoken of are.
     fn is_made_from(&self, other: Concept) -> bool {
         match self.spoken == Concepts::default() {
             true => self.concept.made_from().contains(&other),
-            false => self.spoken.contains(other) && self.concept.grows_from().contains(&other),
+            false => {
+                let is_told = !other.is_leg() || self.spoken.contains(other);
+                is_told && self.concept.grows_from().contains(&other)
+            }
         }
     }
 
@@ -47,11 +50,14 @@ impl Highlighted {
 
     /// Returns true if the objects of the scene are faded: if the lines of the derivation have spoken of none of them.
     pub(crate) fn fades_scenery(&self) -> bool {
+        self.dims && self.spoken != Concepts::default() && !self.speaks_of_objects()
+    }
+
+    /// Returns true if the lines of the derivation have spoken of an object, or of a point on one.
+    fn speaks_of_objects(&self) -> bool {
         let of_objects =
             [Concept::Object(0), Concept::Root { object: 0, number: 0 }, Concept::Normal];
-        self.dims
-            && self.spoken != Concepts::default()
-            && !of_objects.into_iter().any(|concept| self.spoken.contains(concept))
+        of_objects.into_iter().any(|concept| self.spoken.contains(concept))
     }
 
     /// Formats a number for a label as the right side of an equation: `= 0.5`, `≈ 0.3333`.
@@ -64,6 +70,8 @@ impl Highlighted {
 pub(crate) const STRONG: f32 = 5.0;
 /// Minimum width of the lines from which a highlighted one is made, in points.
 pub(crate) const ACCOMPANYING: f32 = 3.0;
+/// The share of its length with which an arrow begins to grow, unless it grows out of another one.
+pub(crate) const BUD: f64 = 0.05;
 /// Radius of highlighted points, in points.
 const STRONG_POINT: f32 = 8.0;
 
@@ -101,21 +109,35 @@ impl Part {
             }
             // What explains the step's subject stays.
             _ if lit.is_of_step && self.pen.item.is_of_one_topic() => plain,
+            // The figure of ray and sphere explains what lines say of either.
+            _ if self.pen.item == Item::SphereFigure && lit.speaks_of_objects() => plain,
             _ if lit.fades(self.pen.concept) => plain.map(|_| Emphasis::Faded),
             _ => plain,
         }
     }
 
-    /// Returns the part restyled by its emphasis. A highlighted one is drawn up to this share of its length.
+    /// Draws the part as it is when this share of its growth is over: a line or an arrow grows from its start, a
+    /// parallelogram along its second side.
+    fn grow(&mut self, growth: f64) {
+        let share = self.bud + (1.0 - self.bud) * growth;
+        match (self.form, &mut self.places[..]) {
+            (Form::Line | Form::Arrow(_), [start, rest @ ..]) => {
+                rest.iter_mut().for_each(|place| *place = start.toward(place, share));
+            }
+            (Form::Area, [start, first, both, second]) => {
+                *both = first.toward(both, share);
+                *second = start.toward(second, share);
+            }
+            _ => {}
+        }
+    }
+
+    /// Returns the part restyled by its emphasis. A highlighted one is drawn as far as it has grown.
     pub(super) fn emphasized(mut self, emphasis: Emphasis, growth: f64) -> Part {
         match emphasis {
             Emphasis::Strong => {
-                if growth < 1.0
-                    && let (Form::Line | Form::Arrow(_), [start, ..]) =
-                        (self.form, &self.places[..])
-                {
-                    let start = *start;
-                    self.places.iter_mut().for_each(|place| *place = start.toward(place, growth));
+                if growth < 1.0 {
+                    self.grow(growth);
                 }
                 self.pen = self.pen.on_top();
                 self.pen.width = self.strong;

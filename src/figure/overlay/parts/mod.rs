@@ -19,8 +19,8 @@ use pinhole_core::{Camera, DVec2, DVec3, ResolvedCamera, Scene, Sphere};
 
 use crate::observer::{Length, Place};
 use crate::overlay::{
-    Colors, Emphasis, GhostCamera, Head, Highlighted, LabelFont, LineStyle, POINT, STRONG, Same,
-    Style,
+    BUD, Colors, Emphasis, GhostCamera, Head, Highlighted, LabelFont, LineStyle, POINT, STRONG,
+    Same, Style,
 };
 use crate::{AnswerMark, Concept, Inspection, Item, Observer, OverlayItems};
 
@@ -101,6 +101,8 @@ pub(crate) struct Part {
     pub(crate) label: Option<PartLabel>,
     /// The width of its lines while its concept is highlighted.
     pub(crate) strong: f32,
+    /// The length with which it begins to grow, as a share of its own; above 1 if it is shortened.
+    pub(crate) bud: f64,
     /// Set if the part is drawn beside its place, as a dimension line is. If the vector is not zero, the part is on
     /// the other side.
     pub(crate) beside: Option<DVec3>,
@@ -277,9 +279,9 @@ impl Figure {
 
 impl Parts<'_> {
     fn add(&mut self, form: Form, places: &[Place], pen: LineStyle) -> &mut Part {
-        let (places, when, strong) = (places.to_vec(), When::Shown, STRONG);
-        let part =
-            Part { form, places, pen, when, label: None, strong, beside: None, is_endless: false };
+        let (places, when, strong, bud) = (places.to_vec(), When::Shown, STRONG, BUD);
+        let (label, beside, is_endless) = (None, None, false);
+        let part = Part { form, places, pen, when, label, strong, bud, beside, is_endless };
         self.list.push(part);
         let last = self.list.len() - 1;
         &mut self.list[last]

@@ -1,7 +1,7 @@
 //! The parts of the selected ray: its pixel, its direction and its components, the ray itself, all its roots, the first
 //! hit and the normal there.
 
-use pinhole_core::{DVec2, DVec3, Object, Ray, ResolvedCamera, Root, Selection};
+use pinhole_core::{DVec2, DVec3, Object, Ray, ResolvedCamera, Root, Selection, Sphere};
 use pinhole_lecture::RayDerivation;
 
 use super::sphere_figure::SphereFigure;
@@ -10,7 +10,7 @@ use crate::overlay::{
     ACCOMPANYING, BOLD_POINT, FINE, Head, Highlighted, LineStyle, MARK, MEDIUM, POINT, THICK, THIN,
     VECTOR, equals, tangents, unit,
 };
-use crate::{Concept, Inspection, Item};
+use crate::{Concept, EquationStep, Inspection, Item};
 
 /// The three components of a view ray's direction, with their concepts and labels.
 const ALONG: [(Concept, &str); 3] =
@@ -74,8 +74,8 @@ impl Parts<'_> {
         }
     }
 
-    /// Adds the point where the ray passes through the viewport and, while it is highlighted, the ray: as far as the hit, if
-    /// that is shown, or without an end.
+    /// Adds the point where the ray passes through the viewport and, while it is highlighted, the ray: as far as the hit, or
+    /// without an end.
     fn ray_point(&mut self, inspection: &Inspection) {
         let (ray, color) = (&inspection.ray, self.colors.ray);
         let pen = LineStyle::new(Item::Ray, color, THICK);
@@ -83,10 +83,10 @@ impl Parts<'_> {
         self.point(ray.at(1.0), 3.6, point.on_viewport()).when(When::Unlit);
         self.point(ray.at(1.0), 3.6, point).named_toward("(𝑢, 𝑣)", 0.4, 1.0).when(When::Lit);
         let pen = pen.about(Concept::Ray);
-        let hit = inspection.first_hit().filter(|_| self.figure.shows(Item::Hit));
+        let hit = self.drawn_hit(inspection);
         let end = hit.map_or(self.end_of(ray), |hit| hit.point);
         self.line([ray.origin, end], pen).when(When::Lit).is_endless = hit.is_none();
-        if hit.is_some() {
+        if hit.is_some() && self.figure.shows(Item::Hit) {
             self.point(end, 6.0, pen).named_toward("hit", 0.3, 1.0).when(When::Lit);
         }
         let toward = Toward::Screen(DVec2::Y);
@@ -153,7 +153,7 @@ impl Parts<'_> {
         let (end, is_behind) = (ray.at(last.t + beyond), beyond > 0.0 || last.t > hit.t);
         if is_behind {
             let pen = LineStyle { width: 0.6 * pen.width, ..pen }.dashed().on_top();
-            self.line([hit.point, end], pen).when(When::Unlit);
+            self.line([hit.point, end], pen).as_wide();
         }
     }
 
@@ -252,25 +252,30 @@ impl Parts<'_> {
         let tip = Place { at: hit.point, along: times * hit.normal, length: Length::Normal };
         let part = self.arrow([hit.point.into(), tip], Head::Filled, pen.about(Concept::Normal));
         part.named("n", font).when(when);
-        if !is_drawn {
+        if !is_drawn || figure.is_lit(Concept::Ray) {
             return;
         }
         let pen = LineStyle { color: self.colors.ray, ..pen }.about(inspection.concept_of(&hit));
         self.point(hit.point, 5.0, pen).named_toward("hit", 0.3, 1.0).when(When::Unlit);
     }
 
-    /// Adds the highlighted object: the outline of a sphere, or a square in a plane with the plane's normal.
+    /// Adds the highlighted object: the outline of a sphere, or a square in a plane with the plane's normal; or the
+    /// vector between it and the eye.
     pub(super) fn object(&mut self) {
         let figure = self.figure;
-        let Some(Concept::Object(index)) = figure.highlighted.map(|lit| lit.concept) else {
+        let Some(lit) = figure.highlighted.map(|lit| lit.concept) else { return };
+        let (Concept::Object(index) | Concept::Equation { object: index, .. }) = lit else {
             return;
         };
-        let pen = LineStyle::new(Item::Ray, self.colors.hit, 4.0).about(Concept::Object(index));
-        match self.scene.object(index) {
-            Some(Object::Sphere(sphere)) => {
+        let pen = LineStyle::new(Item::Ray, self.colors.hit, 3.2).about(lit);
+        match (self.scene.object(index), lit) {
+            (Some(Object::Sphere(sphere)), Concept::Object(_)) => {
                 self.add(Form::Outline(sphere), &[], pen).when(When::Lit).as_wide();
             }
-            Some(Object::Plane(plane)) => {
+            (Some(Object::Sphere(sphere)), Concept::Equation { step, .. }) => {
+                self.from_center(sphere, step, pen);
+            }
+            (Some(Object::Plane(plane)), _) => {
                 let Some(normal) = unit(plane.normal) else { return };
                 let (target, size) = (figure.observer.target(), 0.3 * figure.observer.distance());
                 let center = target - normal.dot(target - plane.point) * normal;
@@ -281,8 +286,31 @@ impl Parts<'_> {
                 let ends = [center, center + 0.5 * size * normal];
                 let part = self.arrow(ends, Head::Filled, pen).named("n", VECTOR);
                 part.when(When::Lit).as_wide();
+                if lit != Concept::Object(index) {
+                    let part = self.arrow([figure.camera.eye, plane.point], Head::Filled, pen);
+                    let part = part.labelled("point − p", POINT, Toward::Screen(-DVec2::Y));
+                    part.label_at(figure.camera.eye.midpoint(plane.point));
+                    part.when(When::Lit).as_wide();
+                }
             }
-            None => {}
+            _ => {}
+        }
+    }
+
+    /// Adds the vector from a sphere's centre to the eye; with the square of its length, the radius and the outline.
+    fn from_center(&mut self, sphere: Sphere, step: EquationStep, pen: LineStyle) {
+        let (center, eye) = (sphere.center, self.figure.camera.eye);
+        let middle = center.midpoint(eye);
+        let is_squared = step == EquationStep::OffsetSquared;
+        let text = if is_squared { "|p − centre|" } else { "p − centre" };
+        let part = self.arrow([center, eye], Head::Filled, pen).as_wide().when(When::Lit);
+        part.labelled(text, POINT, Toward::Screen(-DVec2::Y)).label_at(middle);
+        if is_squared {
+            self.add(Form::Outline(sphere), &[], pen).when(When::Lit).as_wide();
+            let v = self.figure.resolved.as_ref().map_or(DVec3::Y, |resolved| resolved.basis().v);
+            let up = sphere.radius * v;
+            let part = self.line([center, center + up], pen).as_wide().when(When::Lit);
+            part.labelled("r", POINT, Toward::Screen(DVec2::X)).label_at(center + 0.5 * up);
         }
     }
 

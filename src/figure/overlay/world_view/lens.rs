@@ -26,11 +26,14 @@ const APART: f64 = 14.0;
 const NUMBER_GAP: f64 = 2.0;
 
 impl Sketch<'_> {
-    /// Draws parts: those with emphasis last, on top of all others. The labels of parts behind come last,
-    /// so that the camera's own labels have precedence if space is short.
+    /// Draws parts: those with emphasis last, on top of all others but the points that they lead to. The labels of parts
+    /// behind come last, so that the camera's own labels have precedence if space is short.
     pub(crate) fn parts(&mut self, parts: Vec<DrawnPart>) {
-        let (on_top, others): (Vec<_>, Vec<_>) =
-            parts.into_iter().partition(|drawn| drawn.emphasis.is_on_top());
+        let is_point = |part: &Part| matches!(part.form, Form::Point(_) | Form::Hole(_));
+        let (mut on_top, others): (Vec<_>, Vec<_>) = parts.into_iter().partition(|drawn| {
+            drawn.emphasis.is_on_top() || drawn.emphasis == Emphasis::Plain && is_point(&drawn.part)
+        });
+        on_top.sort_by_key(|drawn| is_point(&drawn.part));
         let mut of_behind = 0;
         for DrawnPart { part, emphasis, is_behind } in &others {
             self.fades = *emphasis == Emphasis::Faded;
