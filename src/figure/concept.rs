@@ -240,7 +240,7 @@ impl Concept {
     pub fn grows_from(self) -> &'static [Concept] {
         match self {
             Concept::W => &[Concept::Backwards],
-            Concept::U => &[Concept::UpCrossW],
+            Concept::U => &[Concept::UpCrossW, Concept::W],
             Concept::V => &[Concept::WCrossU],
             Concept::Direction => &[Concept::AlongU, Concept::AlongV, Concept::AlongW],
             other => other.made_from(),

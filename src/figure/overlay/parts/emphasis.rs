@@ -43,6 +43,12 @@ impl Highlighted {
         }
     }
 
+    /// Returns true if a later line makes this concept from the highlighted one.
+    fn leads_to(&self, other: Concept) -> bool {
+        let is_of_line = self.spoken != Concepts::default() && !self.is_of_step;
+        is_of_line && !self.spoken.contains(other) && other.grows_from().contains(&self.concept)
+    }
+
     /// Returns true if what stands for this concept, or for none, is faded.
     pub(crate) fn fades(&self, concept: Option<Concept>) -> bool {
         self.dims && !concept.is_some_and(|concept| self.spoken.contains(concept))
@@ -100,6 +106,9 @@ impl Part {
         let Some(lit) = highlighted else { return plain };
         let is_lit = self.pen.concept == Some(lit.concept);
         let accompanies = self.pen.concept.is_some_and(|own| lit.is_made_from(own));
+        if self.pen.concept.is_some_and(|own| lit.leads_to(own)) {
+            return None;
+        }
         match self.when {
             When::Shown | When::Lit if is_lit && !lit.is_of_step => Some(Emphasis::Strong),
             When::Unlit if is_lit && !lit.is_of_step => None,

@@ -29,7 +29,9 @@ impl Sketch<'_> {
     /// Draws parts: those with emphasis last, on top of all others but the points that they lead to. The labels of parts
     /// behind come last, so that the camera's own labels have precedence if space is short.
     pub(crate) fn parts(&mut self, parts: Vec<DrawnPart>) {
-        let is_point = |part: &Part| matches!(part.form, Form::Point(_) | Form::Hole(_));
+        let has_emphasis = parts.iter().any(|drawn| drawn.emphasis.is_on_top());
+        let is_point =
+            |part: &Part| has_emphasis && matches!(part.form, Form::Point(_) | Form::Hole(_));
         let (mut on_top, others): (Vec<_>, Vec<_>) = parts.into_iter().partition(|drawn| {
             drawn.emphasis.is_on_top() || drawn.emphasis == Emphasis::Plain && is_point(&drawn.part)
         });
