@@ -8,9 +8,7 @@ use pinhole_lecture::Rounding;
 use pinhole_lecture::numbers::{sum, written as number};
 
 use crate::features::lines::state::{LARGEST, LineHandle, LinesLab};
-use crate::features::lines::view::{
-    GRASP, PlaneView, TEXT, draw_question, is_whole, parts, substitution, text,
-};
+use crate::features::lines::view::{GRASP, PlaneView, TEXT, is_whole, parts, substitution, text};
 use crate::ui::PageContext;
 use crate::ui::scene::views;
 use crate::ui::widgets::{NumberField, ResponseExt as _, arrows, inside, keep_arrows};
@@ -54,11 +52,6 @@ pub(crate) fn figure(ui: &mut Ui, context: &mut PageContext<'_>) {
     // Where the lines meet comes with the last line of the card.
     let shows_meeting = is_whole(&shown.lines, shown.revealed_lines);
     plane(ui, area, &mut shown.lines, (context.style.digits, shows_meeting));
-}
-
-/// Shows both lines, but not their intersection, while a lesson asks the class where they meet.
-pub(crate) fn asked(ui: &Ui, lab: &LinesLab) {
-    draw_question(ui, ui.available_rect_before_wrap(), lab);
 }
 
 fn examples(ui: &mut Ui, lab: &mut LinesLab) {

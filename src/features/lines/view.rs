@@ -67,13 +67,7 @@ pub(crate) fn substitution(ui: &mut Ui, lab: &LinesLab, digits: usize) {
             return;
         }
     };
-    let steps = steps(&substitution, lab.shown, digits);
-    let shown = match lab.shown {
-        ShownLines::Both => &steps[..],
-        ShownLines::Implicit => &steps[..1],
-        ShownLines::Parametric => &steps[1..2],
-    };
-    show_steps(ui, shown);
+    show_steps(ui, &steps(&substitution, lab.shown, digits));
     if lab.shown != ShownLines::Both {
         return;
     }
@@ -131,20 +125,18 @@ fn of_card(lab: &LinesLab, digits: usize, in_words: bool) -> Vec<(&'static str, 
         Ok(substitution) => substitution,
         Err(error) => return vec![("no line", typeset_message(error))],
     };
-    let [implicit, parametric, put_in, _, added_up, zero] = steps(&substitution, lab.shown, digits);
-    match lab.shown {
-        ShownLines::Implicit => vec![implicit],
-        ShownLines::Parametric => vec![parametric],
-        ShownLines::Both => {
-            let verdict = in_words.then(|| ("in words", verdict(&substitution, digits)));
-            [put_in, added_up, zero].into_iter().chain(verdict).collect()
-        }
+    let mut steps = steps(&substitution, lab.shown, digits);
+    if lab.shown == ShownLines::Both {
+        let left_out = ["implicit", "parametric", "sorted by t"];
+        steps.retain(|(name, _)| !left_out.contains(name));
+        steps.extend(in_words.then(|| ("in words", verdict(&substitution, digits))));
     }
+    steps
 }
 
 /// Returns how many lines of a lesson's card are revealed one by one: none if a line is drawn alone.
 pub(crate) fn line_count(lab: &LinesLab) -> usize {
-    if lab.shown == ShownLines::Both { of_card(lab, 3, false).len() } else { 0 }
+    if lab.shown == ShownLines::Both { 3 } else { 0 }
 }
 
 /// Returns true if all lines of a lesson's card are revealed.
@@ -199,9 +191,9 @@ fn multiplied(factor: f64, text: &str) -> String {
 }
 
 /// Returns the name and the formula of each step of the substitution, with the current numbers. The
-/// formulas are in the notation of [`notation::formula`], with two spaces between their parts. The equation
-/// of a line that is shown alone has the letters, too.
-fn steps(s: &Substitution, shown: ShownLines, digits: usize) -> [(&'static str, String); 6] {
+/// formulas are in the notation of [`notation::formula`], with two spaces between their parts. Of a line that is
+/// shown alone, there is only its equation, which has the letters, too.
+fn steps(s: &Substitution, shown: ShownLines, digits: usize) -> Vec<(&'static str, String)> {
     let n = |x| number(x, digits);
     let is = |shown: &[f64]| Rounding::Significant(digits).relation(shown);
     let (ImplicitLine { a, b, c }, ParametricLine { p, d }) = (s.line, s.ray);
@@ -218,12 +210,19 @@ fn steps(s: &Substitution, shown: ShownLines, digits: usize) -> [(&'static str, 
     let letters = |text: &'static str| if shown == ShownLines::Both { "" } else { text };
     let [general, of_t_x, of_t_y] =
         [" = a x + b y + c", " = p_x + t d_x", " = p_y + t d_y"].map(letters);
-    [
-        ("implicit", format!("f(x, y){general} {} {}", is(&[a, b, c]), sum(implicit, n))),
-        (
-            "parametric",
-            format!("x{of_t_x} {} {x},  y{of_t_y} {} {y}", is(&[p.x, d.x]), is(&[p.y, d.y])),
-        ),
+    let implicit =
+        ("implicit", format!("f(x, y){general} {} {}", is(&[a, b, c]), sum(implicit, n)));
+    let [x, y] = [(of_t_x, [p.x, d.x], x), (of_t_y, [p.y, d.y], y)]
+        .map(|(letters, pair, text)| format!("{letters} {} {text}", is(&pair)));
+    let parametric = ("parametric", format!("x{x},  y{y}"));
+    match shown {
+        ShownLines::Implicit => return vec![implicit],
+        ShownLines::Parametric => return vec![parametric],
+        ShownLines::Both => {}
+    }
+    vec![
+        implicit,
+        parametric,
         ("substituted", format!("f(p + t d)  {all} {}", sum(put_in, n))),
         (
             "sorted by t",
@@ -300,9 +299,10 @@ pub(crate) struct PlaneView {
     pub(crate) shows_meeting: bool,
 }
 
-/// Draws the lines, but nothing that shows where they meet: the trail of points may end there.
-pub(crate) fn draw_question(ui: &Ui, rect: Rect, lab: &LinesLab) {
-    let plane = PlaneView::new(ui, rect, lab.window);
+/// Draws the lines while a lesson asks the class where they meet, but nothing that shows it: the trail of points may
+/// end there.
+pub(crate) fn draw_question(ui: &Ui, lab: &LinesLab) {
+    let plane = PlaneView::new(ui, ui.available_rect_before_wrap(), lab.window);
     plane.background();
     plane.grid();
     if lab.shown != ShownLines::Parametric {
@@ -335,12 +335,8 @@ pub(crate) fn draw_exercise(
         plane.grid();
         plane.implicit(&lab.line());
         plane.direction(&lab.ray);
-        let p = plane.to_screen(lab.ray.p);
-        painter.circle(p, 8.0, ray, Stroke::new(2.0, plane.colors.background));
-        let font = Font { size: NAMES + 1.0, color: ray, bold: true };
-        labels.write("p", font, around(p, vec2(-1.0, 1.0), 13.0));
-        let (d, left) = (lab.ray.at(1.0), left_of(lab.ray.d));
-        labels.write("d", font, around(plane.to_screen(d), -left, 13.0));
+        plane.handle(LineHandle::P, plane.to_screen(lab.ray.p), false);
+        plane.names(lab, &mut labels, None);
     }
     for (name, at) in typed {
         let at = plane.to_screen(*at);
@@ -764,7 +760,8 @@ mod tests {
         let ray = ParametricLine { p: DVec2::new(1.0, 0.0), d: DVec2::new(-1.0, 1.0 / 3.0) };
         let s =
             Substitution::new(ImplicitLine { a: 3.0, b: -1.0, c: 0.0 }, ray).expect("two lines");
-        let lines = steps(&s, ShownLines::Both, 5).map(|(_, text)| text);
+        let lines: Vec<String> =
+            steps(&s, ShownLines::Both, 5).into_iter().map(|(_, text)| text).collect();
         assert_eq!(
             lines,
             [

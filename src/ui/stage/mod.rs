@@ -105,7 +105,9 @@ impl Stage {
             ViewLayout::Lines if context.session.shows_exercise() => {
                 exercises::ui::plane(ui, context.session);
             }
-            ViewLayout::Lines if is_asking => lines::ui::asked(ui, &context.session.shown.lines),
+            ViewLayout::Lines if is_asking => {
+                lines::view::draw_question(ui, &context.session.shown.lines)
+            }
             ViewLayout::Lines => lines::ui::figure(ui, context),
             ViewLayout::Mistakes | ViewLayout::Compare | ViewLayout::Exercises => {}
             _ if is_composed && is_asking => {}
