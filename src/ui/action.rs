@@ -103,6 +103,8 @@ pub enum LessonAction {
     Previous,
     /// Show the step's answer and all lines of its derivation.
     ShowAll,
+    /// Open a vote on the step's question.
+    Vote,
     /// Close the lesson; its scene stays open.
     Close,
 }
@@ -257,11 +259,9 @@ pub enum LookAction {
     Fill(ViewLayout),
 }
 
-/// Opens a vote on a step's question, or takes part in the open one.
+/// Takes part in the open vote.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum VoteAction {
-    /// Open a vote on the question of the lesson's step.
-    Ask,
     /// Choose the option with this index.
     Choose(usize),
     /// Type the numbers of raised hands.
@@ -400,6 +400,7 @@ impl Action {
         match self {
             Action::Undo => there.undo.is_some(),
             Action::Redo => there.redo.is_some(),
+            Action::Lesson(LessonAction::Vote) => session.can_vote(),
             Action::Lesson(_) | Action::Leave(Leave::BackToStep) => there.lesson,
             Action::Object(ObjectAction::Delete | ObjectAction::Duplicate) => there.object,
             Action::DropGhost => session.shown.ghost.is_some(),
@@ -407,7 +408,6 @@ impl Action {
             Action::Play(_) => there.animation,
             Action::Answers(AnswersAction::PutAway)
             | Action::Look(LookAction::Layout(ViewLayout::Answers)) => session.answers.is_some(),
-            Action::Vote(VoteAction::Ask) => session.shown.is_asking && !session.is_voting(),
             Action::Vote(_) => session.is_voting(),
             Action::Look(
                 LookAction::SwitchTheme | LookAction::Blank | LookAction::NextPenColor,

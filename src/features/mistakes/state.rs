@@ -3,7 +3,7 @@
 use pinhole_core::{Camera, ResolvedCamera, Scene};
 use pinhole_lecture::{Mistake, Vote, next_seed};
 
-use crate::features::vote::{OpenVote, VoteOption};
+use crate::features::vote::OpenVote;
 use crate::model::with_defaults;
 
 with_defaults! {
@@ -31,10 +31,8 @@ with_defaults! {
 impl MistakesView {
     /// Returns the mistake whose picture is shown.
     pub fn shown(&self) -> Mistake {
-        match self.open_vote.as_ref().map(|open| &open.options[open.right]) {
-            Some(VoteOption::Mistake(mistake)) => *mistake,
-            _ => self.chosen,
-        }
+        let open = self.open_vote.as_ref();
+        open.and_then(|open| open.options[open.right].mistake).unwrap_or(self.chosen)
     }
 
     /// Returns true if the name of the shown mistake may be revealed.

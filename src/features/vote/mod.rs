@@ -3,4 +3,4 @@
 pub mod state;
 pub mod ui;
 
-pub use state::{OpenVote, VoteOption};
+pub use state::OpenVote;

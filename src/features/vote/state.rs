@@ -18,21 +18,11 @@ pub type Hands = [u32; Vote::OPTIONS];
 
 /// An option of a vote.
 #[derive(Clone, Debug, PartialEq)]
-pub enum VoteOption {
-    /// This mistake made the picture.
-    Mistake(Mistake),
-    /// This answers the question. Symbols are marked as in a step's text.
-    Choice(String),
-}
-
-impl VoteOption {
-    /// Returns the mistake's name, or the answer.
-    pub fn text(&self) -> &str {
-        match self {
-            VoteOption::Mistake(mistake) => mistake.name(),
-            VoteOption::Choice(text) => text,
-        }
-    }
+pub struct VoteOption {
+    /// The mistake's name, or the answer. Symbols are marked as in a step's text.
+    pub text: String,
+    /// The mistake, in a vote on the one that made a picture.
+    pub mistake: Option<Mistake>,
 }
 
 /// An open vote.
@@ -57,8 +47,8 @@ pub struct OpenVote {
 impl OpenVote {
     /// Opens a vote on the mistake that made a picture.
     pub fn on_mistake(vote: &Vote) -> OpenVote {
-        let options = vote.options.iter().map(|mistake| VoteOption::Mistake(*mistake)).collect();
-        OpenVote::new(options, vote.right)
+        let option = |mistake: &Mistake| (mistake.name().to_owned(), Some(*mistake));
+        OpenVote::new(vote.options.iter().map(option), vote.right)
     }
 
     /// Opens a vote on the answers to a question, of which the first is right. Their order depends on their texts alone.
@@ -68,13 +58,12 @@ impl OpenVote {
         let letters: usize = choices.iter().map(String::len).sum();
         sorted.rotate_left(letters % choices.len().max(1));
         let right = sorted.iter().position(|text| Some(*text) == choices.first());
-        let options = sorted.into_iter().map(|text| VoteOption::Choice(text.clone())).collect();
-        OpenVote::new(options, right.unwrap_or(0))
+        OpenVote::new(sorted.into_iter().map(|text| (text.clone(), None)), right.unwrap_or(0))
     }
 
-    fn new(options: Vec<VoteOption>, right: usize) -> OpenVote {
+    fn new(options: impl Iterator<Item = (String, Option<Mistake>)>, right: usize) -> OpenVote {
         OpenVote {
-            options,
+            options: options.map(|(text, mistake)| VoteOption { text, mistake }).collect(),
             right,
             answer: None,
             is_revealed: false,
@@ -93,7 +82,7 @@ impl OpenVote {
 
     /// Returns the letter of an option and its text, without the marks of symbols.
     pub fn named(&self, index: usize) -> String {
-        format!("{}: {}", Vote::LETTERS[index], without_marks(self.options[index].text()))
+        format!("{}: {}", Vote::LETTERS[index], without_marks(&self.options[index].text))
     }
 
     /// Returns true if another round can begin.

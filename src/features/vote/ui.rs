@@ -2,6 +2,7 @@
 //! own that asks which mistake made the wrong picture and says why, or the place below a step's question.
 
 use egui::accesskit::Role;
+use egui::epaint::TextShape;
 use egui::{
     Align2, Color32, Context, CornerRadius, Event, FontId, Id, Pos2, Rect, RichText, ScrollArea,
     Sense, Stroke, StrokeKind, Ui, Vec2, WidgetInfo, pos2, vec2,
@@ -16,7 +17,8 @@ use crate::ui::PageContext;
 use crate::ui::action::{LookAction, VoteAction};
 use crate::ui::commands_table::hint;
 use crate::ui::widgets::{
-    ResponseExt as _, clipped, cross, fault_text, inside, line_field, marked_text, text_width, tick,
+    ResponseExt as _, clipped, cross, fault_text, inside, largest_size, line_field, marked_text,
+    text_width, tick,
 };
 use crate::view::derive::Derived;
 
@@ -74,8 +76,6 @@ pub(crate) fn apply(ctx: &Context, session: &mut Session, action: VoteAction) {
     let is_of_step = of_step.is_some();
     let Some(open) = of_step.as_mut().or(view.open_vote.as_mut()) else { return };
     match action {
-        // The open step knows its question.
-        VoteAction::Ask => {}
         VoteAction::Choose(option) => open.choose(option),
         VoteAction::NextRound => open.begin_round(),
         VoteAction::Reveal => open.is_revealed = true,
@@ -203,18 +203,11 @@ fn common_size(ui: &Ui, open: &OpenVote, tile: Vec2, most: f32) -> f32 {
     let tile = Rect::from_min_size(Pos2::ZERO, tile - vec2(LETTER_WIDTH + SIGN_WIDTH, 0.0));
     let (room, _) = parts(tile, open.counted().next().is_some());
     let fits = |size: &f32| {
-        let height = |option: &VoteOption| {
-            marked_text::height_within(ui, option.text(), *size, room.width())
-        };
+        let height =
+            |option: &VoteOption| marked_text::height_within(ui, &option.text, *size, room.width());
         open.options.iter().all(|option| height(option) <= room.height())
     };
-    largest(most, fits)
-}
-
-/// Returns the largest size of at most `most` that fits; the smallest one, if none does.
-fn largest(most: f32, fits: impl FnMut(&f32) -> bool) -> f32 {
-    let mut sizes = (0..).map(|k| most - k as f32).take_while(|size| *size > WRITTEN);
-    sizes.find(fits).unwrap_or(WRITTEN)
+    largest_size(most, fits)
 }
 
 /// Shows an option. Returns true if the user votes for it.
@@ -226,14 +219,16 @@ fn option(ui: &Ui, rect: Rect, index: usize, open: &OpenVote, size: f32) -> bool
     let is_chosen = open.answer == Some(index);
     let visuals = ui.visuals();
     let strong = visuals.strong_text_color();
-    let selected = visuals.selection.stroke.color;
-    let (edge, ink) = match (open.is_revealed, is_right, is_chosen) {
-        (true, true, _) => (Stroke::new(4.0, strong), strong),
-        (true, false, true) => (Stroke::new(3.0, error_color(ui)), visuals.weak_text_color()),
-        (true, false, false) => (visuals.widgets.inactive.bg_stroke, visuals.weak_text_color()),
-        (false, _, true) => (Stroke::new(4.0, selected), strong),
-        (false, ..) => (Stroke::new(1.0, visuals.weak_text_color()), strong),
+    let edge = match (open.is_revealed, is_right, is_chosen) {
+        (true, true, _) => Stroke::new(4.0, strong),
+        (true, false, true) => Stroke::new(3.0, error_color(ui)),
+        (true, false, false) => visuals.widgets.inactive.bg_stroke,
+        (false, _, true) => Stroke::new(4.0, visuals.selection.stroke.color),
+        (false, ..) => Stroke::new(1.0, visuals.weak_text_color()),
     };
+    // What fades has no colours of its own.
+    let faded = (open.is_revealed && !is_right).then_some(visuals.weak_text_color());
+    let ink = faded.unwrap_or(strong);
     let fill = match response.hovered() && !open.is_revealed {
         true => visuals.widgets.hovered.weak_bg_fill,
         false => visuals.widgets.inactive.weak_bg_fill,
@@ -246,7 +241,7 @@ fn option(ui: &Ui, rect: Rect, index: usize, open: &OpenVote, size: f32) -> bool
     let right = rect.right() - SIGN_WIDTH;
     let text = Rect::from_x_y_ranges(rect.left() + LETTER_WIDTH..=right, rect.y_range());
     let (named, drawn) = parts(text, open.counted().next().is_some());
-    texts(ui, named, &open.options[index], size, ink);
+    texts(ui, named, &open.options[index], size, faded);
     bars(ui, drawn, index, open, ink);
     if open.is_revealed && (is_right || is_chosen) {
         let center = rect.right_center() - vec2(0.5 * SIGN_WIDTH, 0.0);
@@ -270,11 +265,11 @@ fn parts(text: Rect, has_bars: bool) -> (Rect, Rect) {
 }
 
 /// Writes an option's text and, if it fits, the formula of a mistake below it.
-fn texts(ui: &Ui, rect: Rect, option: &VoteOption, size: f32, ink: Color32) {
+fn texts(ui: &Ui, rect: Rect, option: &VoteOption, size: f32, faded: Option<Color32>) {
     let line = |text: &str, size: f32| marked_text::galley(ui, text, size, rect.width());
-    let mut shown = vec![line(option.text(), size)];
+    let mut shown = vec![line(&option.text, size)];
     let mut height = shown[0].size().y;
-    if let VoteOption::Mistake(mistake) = option {
+    if let Some(mistake) = option.mistake {
         let formula = mistake.formula().split(" Right:").next().unwrap_or_default();
         let formula = line(formula, FORMULA);
         if height + formula.size().y <= rect.height() {
@@ -285,13 +280,8 @@ fn texts(ui: &Ui, rect: Rect, option: &VoteOption, size: f32, ink: Color32) {
     let mut at = pos2(rect.left(), rect.center().y - 0.5 * height);
     let painter = ui.painter_at(rect);
     for galley in shown {
-        let below = galley.size().y;
-        // What fades has no colours of its own.
-        if ink == ui.visuals().strong_text_color() {
-            painter.galley(at, galley, ink);
-        } else {
-            painter.galley_with_override_text_color(at, galley, ink);
-        }
+        let (below, ink) = (galley.size().y, ui.visuals().strong_text_color());
+        painter.add(TextShape { override_text_color: faded, ..TextShape::new(at, galley, ink) });
         at.y += below;
     }
 }
@@ -340,7 +330,7 @@ fn reason(ui: &mut Ui, open: &OpenVote, wrong: Option<&ComparedCamera>) {
         let height = |line: &String| marked_text::height_within(ui, line, *size, room.x) + BETWEEN;
         lines.iter().map(height).sum::<f32>() <= room.y
     };
-    let size = largest(REASON, fits);
+    let size = largest_size(REASON, fits);
     for (k, line) in lines.iter().enumerate() {
         let text = RichText::new(line).size(size);
         ui.label(if k == 0 && open.is_revealed { text.strong() } else { text });
@@ -364,7 +354,7 @@ fn letters(open: &OpenVote, last: &str) -> String {
 
 /// Returns the verdict, the formula, and the checks that catch the mistake.
 fn explanation(open: &OpenVote, wrong: Option<&ComparedCamera>) -> Vec<String> {
-    let VoteOption::Mistake(mistake) = open.options[open.right] else { return Vec::new() };
+    let Some(mistake) = open.options[open.right].mistake else { return Vec::new() };
     let verdict = format!("{}. {}", open.named(open.right), mistake.shows());
     let failing = wrong.into_iter().flat_map(ComparedCamera::failing);
     let catching: Vec<&str> = failing.map(|checked| checked.check.formula()).collect();

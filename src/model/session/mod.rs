@@ -246,6 +246,11 @@ impl Session {
         is_open || (self.shows_vote() && !self.shown.mistakes_view.is_revealed())
     }
 
+    /// Returns true if a step's question is open, on which no vote was opened yet.
+    pub fn can_vote(&self) -> bool {
+        self.shown.is_asking && self.live.vote.is_none() && !self.is_voting()
+    }
+
     /// Adapts the selection to an edited camera, so that it stays at the same place in the picture.
     pub fn follow_camera(&mut self, before: &Camera, now: &Camera) {
         let selection = &mut self.shown.selection;

@@ -18,7 +18,6 @@ use crate::model::session::presenting::{self, PEN_COLORS, Presenting, SMALLEST_T
 use crate::model::session::{Preferences, Session, Settings, ThemeName, ViewLayout, ZOOM};
 use crate::ui::action::{
     Action, FileAction, FileUse, Leave, LessonAction, LookAction, Observe, PlayAction, ShareAction,
-    VoteAction,
 };
 use crate::ui::app::App;
 use crate::ui::app::scene::Opened;
@@ -51,7 +50,11 @@ impl App {
             _ => {}
         }
         // The menu in which it was chosen may stay open for several clicks.
-        if let Action::Ask(_) | Action::Look(LookAction::Present) | Action::Vote(_) = action {
+        if let Action::Ask(_)
+        | Action::Look(LookAction::Present)
+        | Action::Lesson(LessonAction::Vote)
+        | Action::Vote(_) = action
+        {
             Popup::close_all(ctx);
         }
         if !is_undone {
@@ -112,7 +115,6 @@ impl App {
             Action::Select { .. } if self.question.is_some() => {}
             Action::Select { rows, columns } => self.scene.step_selection(rows, columns),
             Action::Look(action) => self.look_action(action),
-            Action::Vote(VoteAction::Ask) => self.ask_class(),
             Action::Vote(action) => vote::ui::apply(ctx, &mut self.scene.session, action),
             Action::OpenContents => {
                 let now = self.lesson().and_then(OpenLesson::number_of_all);
@@ -372,6 +374,7 @@ impl App {
                 self.scene.solve();
                 return self.scene.show_all();
             }
+            LessonAction::Vote => return self.ask_class(),
             LessonAction::Close => return self.scene.close_lesson(),
         };
         let Some(to) = to else { return };

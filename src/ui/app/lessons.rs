@@ -236,8 +236,7 @@ impl OpenScene {
     /// Opens a vote on the step's question while it is asked. Returns false if the step has no answers to vote on.
     pub(super) fn open_vote(&mut self) -> bool {
         let question = self.lessons.open.as_ref().and_then(|open| open.step().question.as_ref());
-        let can = self.session.shown.is_asking && self.session.live.vote.is_none();
-        let Some(question) = question.filter(|_| can) else { return true };
+        let Some(question) = question.filter(|_| self.session.can_vote()) else { return true };
         let has_choices = !question.choices.is_empty();
         self.session.live.vote = has_choices.then(|| OpenVote::on_choices(&question.choices));
         has_choices

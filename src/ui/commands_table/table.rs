@@ -183,7 +183,7 @@ fn voting() -> Vec<UiCommand> {
     }).collect();
     commands.extend(commands![
         Vote, "Vote on the question", "Shows answers to the question of the lesson's step, among which the class votes.",
-            VoteAction::Ask => plain(LessonUntyped, Key::V);
+            LessonAction::Vote => plain(LessonUntyped, Key::V);
         Vote, "Count hands", "Asks for the numbers of raised hands, which are drawn as bars.",
             VoteAction::CountHands => plain(VoteUntyped, Key::H);
         Vote, "Second round", "Lets the class vote again; the first round's bars stay.",

@@ -12,7 +12,7 @@ use super::{Stage, navigation};
 use crate::features::{exercises, lines, mistakes, vote};
 use crate::model::lessons::OpenLesson;
 use crate::model::{Session, ViewLayout};
-use crate::ui::widgets::{SIZES, inside, marked_text};
+use crate::ui::widgets::{SIZES, inside, largest_size, marked_text};
 use crate::ui::{PageContext, derivation};
 
 /// Distance between the column's edge and its contents, in points.
@@ -112,24 +112,18 @@ fn sizes_that_fit(
     let is_changed = context.step.as_ref().is_some_and(|step| step.is_changed);
     let words = match last {
         Some(last) if last.is_own || is_changed => last.words,
-        _ => largest(SIZES[0], |size| {
+        _ => largest_size(SIZES[0], |size| {
             of_words(ui, *size) <= texts.height() && of_card(ui, *size) <= room(ui, *size)
         }),
     };
     let is_held = ui.input(|input| input.pointer.any_down());
     let most = last.filter(|_| is_held).map_or(words, |last| last.card);
     let room = room(ui, words);
-    let card = largest(most, |size| of_card(ui, *size) <= room);
+    let card = largest_size(most, |size| of_card(ui, *size) <= room);
     let is_own = !is_changed || last.is_some_and(|last| last.is_own);
     let sizes = TextSizes { words, card, is_own };
     ui.data_mut(|data| data.insert_temp(slot, (step, sizes)));
     sizes
-}
-
-/// Returns the largest size of at most `most` that fits; the smallest one, if none does. A smaller one need not fit:
-/// it may break a formula at another place.
-fn largest(most: f32, fits: impl FnMut(&f32) -> bool) -> f32 {
-    SIZES.into_iter().skip_while(|size| *size > most).find(fits).unwrap_or(WRITTEN)
 }
 
 /// Returns the height of the title, the texts and the room for the answer.

@@ -8,7 +8,7 @@ use egui::{
 use pinhole_figure::typesetting::theme;
 
 use crate::model::lessons::{Lesson, OpenLesson, StepId, Which, builtin, title_of};
-use crate::ui::action::{Action, Leave, LessonAction, LookAction, VoteAction, request};
+use crate::ui::action::{Action, Leave, LessonAction, LookAction, request};
 use crate::ui::commands_table::{hint, shortcut};
 use crate::ui::widgets::{ResponseExt as _, column_of};
 use crate::ui::{OpenStep, PageContext};
@@ -53,11 +53,9 @@ pub(super) fn buttons(ui: &mut Ui, step: &OpenStep<'_>, is_asking: bool) {
 /// Shows the button that opens a vote on the step's question, if it is asked and has answers to vote on.
 pub(super) fn vote(ui: &mut Ui, context: &PageContext<'_>) {
     let question = context.step.and_then(|step| step.open.step().question.as_ref());
-    let session = &context.session;
-    let can = session.shown.is_asking && session.live.vote.is_none();
-    if can && question.is_some_and(|question| !question.choices.is_empty()) {
+    if context.session.can_vote() && question.is_some_and(|question| !question.choices.is_empty()) {
         let button = Button::new(RichText::new("Vote").size(BUTTON));
-        ui.add(button).on_hover_text(hint(VoteAction::Ask)).asks(VoteAction::Ask);
+        ui.add(button).on_hover_text(hint(LessonAction::Vote)).asks(LessonAction::Vote);
     }
 }
 

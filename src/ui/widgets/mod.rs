@@ -27,6 +27,12 @@ pub(crate) use number::{NumberField, vector_color, vector_row};
 /// Sizes of the texts, in points, of which the largest is chosen at which everything fits.
 pub(crate) const SIZES: [f32; 9] = [20.0, 19.0, 18.0, 17.0, 16.0, 15.0, 14.0, 13.0, WRITTEN];
 
+/// Returns the largest of the [`SIZES`] of at most `most` that fits; the smallest one, if none does. A smaller one need
+/// not fit: it may break a formula at another place.
+pub(crate) fn largest_size(most: f32, fits: impl FnMut(&f32) -> bool) -> f32 {
+    SIZES.into_iter().skip_while(|size| *size > most).find(fits).unwrap_or(WRITTEN)
+}
+
 /// Extends a widget's response with methods that set its accessible properties, and that request an action
 /// when it is clicked.
 pub(crate) trait ResponseExt: Sized {

@@ -4,7 +4,7 @@ use egui::accesskit::{Role, Toggled};
 use egui::vec2;
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use pinhole::features::vote::{OpenVote, VoteOption};
+use pinhole::features::vote::OpenVote;
 use pinhole::model::session::ViewLayout;
 use pinhole::model::session::presenting::{self, SMALLEST_TEXT};
 use pinhole::ui::app::App;
@@ -297,13 +297,11 @@ fn open_vote(window: &Harness<'_, App>) -> OpenVote {
 }
 
 fn mistake_of(open: &OpenVote) -> Mistake {
-    let options = open.options[open.right].clone();
-    let VoteOption::Mistake(mistake) = options else { panic!("a vote on a picture") };
-    mistake
+    open.options[open.right].mistake.expect("a vote on a picture")
 }
 
 fn option(open: &OpenVote, index: usize) -> String {
-    format!("{}: {}", ["A", "B", "C", "D"][index], open.options[index].text())
+    format!("{}: {}", ["A", "B", "C", "D"][index], open.options[index].text)
 }
 
 #[test]
@@ -434,7 +432,7 @@ fn a_vote_has_room_beside_a_lesson() {
             let rect = window.get_by_role_and_label(Role::Button, &name).rect();
             assert!(whole.contains_rect(rect), "{name}: {rect} in {whole}, {step}");
             assert!(rect.height() >= 36.0, "{name}: {rect}, {step}");
-            let texts = painted(&window, open.options[index].text());
+            let texts = painted(&window, &open.options[index].text);
             let is_whole = |(text, clip): &(egui::Rect, egui::Rect)| {
                 rect.contains_rect(*text) && clip.expand(1.0).contains_rect(*text)
             };
@@ -495,7 +493,7 @@ fn a_vote_that_is_revealed_stays_as_it_was_given() {
     let names: Vec<String> = {
         let open = open_vote(&window);
         let named = open.options.iter().zip(["A", "B", "C", "D"]);
-        named.map(|(mistake, letter)| format!("{letter}: {}", mistake.text())).collect()
+        named.map(|(mistake, letter)| format!("{letter}: {}", mistake.text)).collect()
     };
     click(&mut window, &names[0]);
     assert_eq!(open_vote(&window).answer, Some(0));
