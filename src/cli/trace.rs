@@ -3,8 +3,7 @@
 use std::io::{self, Write};
 
 use pinhole_core::{Ray, Root, Scene};
-use pinhole_exchange::csv;
-use pinhole_exchange::limits;
+use pinhole_exchange::{csv, limits};
 use rayon::prelude::*;
 
 use super::console::{CommandError, open, scene_fault};

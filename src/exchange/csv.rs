@@ -10,8 +10,7 @@ use pinhole_core::{DVec3, Ray, Rgb, Sphere};
 
 use crate::error::{nearest, one_line};
 use crate::fields::no_number;
-use crate::images;
-use crate::{FileError, Location, limits};
+use crate::{FileError, Location, images, limits};
 
 const SPHERE: &[&str] = &["x", "y", "z", "r", "color", "name"];
 const R: usize = 3;

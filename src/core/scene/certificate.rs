@@ -27,8 +27,7 @@ use crate::scene::object_from_origin::{Hit, ObjectFromOrigin};
 use crate::scene::objects_from_origin::ObjectsFromOrigin;
 use crate::scene::plane_predicates::PlaneFromOrigin;
 use crate::scene::sphere::Sphere;
-use crate::scene::sphere_predicates::SphereFromOrigin;
-use crate::scene::sphere_predicates::{FINE_SHARE, ROUGH_SHARE};
+use crate::scene::sphere_predicates::{FINE_SHARE, ROUGH_SHARE, SphereFromOrigin};
 
 /// How certainly a ray's first hit or, if it hits nothing, its miss is decided: the step of [the
 /// ladder](crate#the-ladder) that was needed, and the margin by which this step decided.

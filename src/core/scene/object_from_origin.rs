@@ -6,8 +6,7 @@ use std::cmp::Ordering;
 
 use glam::DVec3;
 
-use crate::camera::ray::ExactRay;
-use crate::camera::ray::Ray;
+use crate::camera::ray::{ExactRay, Ray};
 use crate::exact::big_ray::{BigRay, BigRoot};
 use crate::exact::bounded::dot;
 use crate::exact::double_double::DoubleDouble;
@@ -16,8 +15,7 @@ use crate::exact::quadratic::{LARGEST_SHARE, Quadratic};
 use crate::exact::scale::{exponent, ldexp, split};
 use crate::exact::steps::{Step, Steps};
 use crate::scene::error::ObjectError;
-use crate::scene::object::Roots;
-use crate::scene::object::{LineRoots, Object, Root};
+use crate::scene::object::{LineRoots, Object, Root, Roots};
 use crate::scene::plane::Plane;
 use crate::scene::plane_predicates::PlaneFromOrigin;
 use crate::scene::sphere::Sphere;

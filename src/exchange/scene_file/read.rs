@@ -15,8 +15,7 @@ use crate::error::one_line;
 use crate::fields::{Section, TomlField, TomlSource};
 use crate::format::{Imported, Input};
 use crate::host::host;
-use crate::images;
-use crate::{FileError, limits};
+use crate::{FileError, images, limits};
 
 const TOP: &[&str] =
     &["pinhole", "spheres", "camera", "viewport", "image", "observer", "sphere", "plane"];

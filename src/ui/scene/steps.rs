@@ -20,9 +20,8 @@ use crate::features::handles::state::{Corner, Drag, Grabbed, Handle, HandleValue
 use crate::model::interaction::{HANDLE_REACH, KEY_NEARER, KEY_TURN, LOUPE_SCROLL, PAUSE};
 use crate::model::session::{LOUPE_PIXELS, Session};
 use crate::ui::action::{CameraMove, Steer};
-use crate::ui::scene::Dragging;
 use crate::ui::scene::views::{CAMERA, WORLD};
-use crate::ui::scene::{ViewInput, ViewRects, WorldArea};
+use crate::ui::scene::{Dragging, ViewInput, ViewRects, WorldArea};
 use crate::ui::widgets::{ResponseExt as _, arrows, fault_text, keep_arrows};
 use crate::view::derive::Derived;
 

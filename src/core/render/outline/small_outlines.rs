@@ -6,8 +6,7 @@ use std::ops::Range;
 use fearless_simd::Simd;
 use fearless_simd::prelude::*;
 
-use crate::render::outline::raster_axes::CameraSpace;
-use crate::render::outline::raster_axes::RasterAxes;
+use crate::render::outline::raster_axes::{CameraSpace, RasterAxes};
 use crate::render::outline::{Centers, KEEP, MARGIN, MOST_LANES, MOST_SINGLE_LANES};
 use crate::scene::sphere_index::SphereSlots;
 

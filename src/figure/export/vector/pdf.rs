@@ -22,9 +22,7 @@ use krilla::text::{Font, GlyphId, KrillaGlyph};
 use pinhole_core::Ellipse;
 use tiny_skia::PathSegment;
 
-use super::FontName;
-use super::{CasedText, LetterRun};
-use super::{Primitive, primitives};
+use super::{CasedText, FontName, LetterRun, Primitive, primitives};
 use crate::export::{Figure, SphereEdges};
 use crate::overlay::{Ink, Path, PathOutline};
 

@@ -7,12 +7,9 @@ use base64::Engine as _;
 use base64::engine::general_purpose::STANDARD;
 use egui::{Color32, ColorImage};
 use pinhole_core::Ellipse;
-use pinhole_exchange::images;
-use pinhole_exchange::is_hidden;
+use pinhole_exchange::{images, is_hidden};
 
-use super::{CasedText, LetterRun};
-use super::{FontName, SANS};
-use super::{Primitive, primitives};
+use super::{CasedText, FontName, LetterRun, Primitive, SANS, primitives};
 use crate::export::{Figure, SphereEdges, to_png};
 use crate::overlay::{Ink, Path, PathOutline};
 
