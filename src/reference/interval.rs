@@ -1,8 +1,11 @@
 //! Interval arithmetic: lower and upper bounds of a number that is not known exactly, such as a square
 //! root.
 
-use crate::dyadic::{Dyadic, Toward};
 use std::cmp::Ordering;
+
+use dashu_float::round::mode::{Down, Up};
+
+use crate::dyadic::Dyadic;
 
 /// All numbers from `low` to `high`. Each operation rounds its bounds outwards to `bits` significant
 /// bits, so that the interval contains the true result (Moore, *Interval Analysis*, 1966).
@@ -14,13 +17,13 @@ pub(crate) struct Interval {
 
 impl Interval {
     pub(crate) fn exactly(x: &Dyadic, bits: usize) -> Interval {
-        Interval { low: x.rounded(bits, Toward::Below), high: x.rounded(bits, Toward::Above) }
+        Interval { low: x.rounded::<Down>(bits), high: x.rounded::<Up>(bits) }
     }
 
     pub(crate) fn plus(&self, other: &Interval, bits: usize) -> Interval {
         Interval {
-            low: (&self.low + &other.low).rounded(bits, Toward::Below),
-            high: (&self.high + &other.high).rounded(bits, Toward::Above),
+            low: (&self.low + &other.low).rounded::<Down>(bits),
+            high: (&self.high + &other.high).rounded::<Up>(bits),
         }
     }
 
@@ -36,7 +39,7 @@ impl Interval {
             low = low.min(corner);
             high = high.max(corner);
         }
-        Interval { low: low.rounded(bits, Toward::Below), high: high.rounded(bits, Toward::Above) }
+        Interval { low: low.rounded::<Down>(bits), high: high.rounded::<Up>(bits) }
     }
 
     /// Returns `self / divisor`. All numbers in the divisor must be positive.
@@ -46,8 +49,8 @@ impl Interval {
         };
         let (low, high) = (&self.low, &self.high);
         Interval {
-            low: low.divided(farther(low, Ordering::Less), bits, Toward::Below),
-            high: high.divided(farther(high, Ordering::Greater), bits, Toward::Above),
+            low: low.divided::<Down>(farther(low, Ordering::Less), bits),
+            high: high.divided::<Up>(farther(high, Ordering::Greater), bits),
         }
     }
 
@@ -55,8 +58,8 @@ impl Interval {
     /// although the interval's lower bound may be.
     pub(crate) fn sqrt(&self, bits: usize) -> Interval {
         Interval {
-            low: (&self.low).max(&Dyadic::ZERO).sqrt(bits, Toward::Below),
-            high: (&self.high).max(&Dyadic::ZERO).sqrt(bits, Toward::Above),
+            low: (&self.low).max(&Dyadic::ZERO).sqrt::<Down>(bits),
+            high: (&self.high).max(&Dyadic::ZERO).sqrt::<Up>(bits),
         }
     }
 
@@ -94,12 +97,12 @@ impl Interval {
         let (mut too_few, mut enough) = (0, self.low.length());
         while enough - too_few > 1 {
             let bits = (too_few + enough) / 2;
-            if self.low.rounded(bits, Toward::Above) <= self.high {
+            if self.low.rounded::<Up>(bits) <= self.high {
                 enough = bits;
             } else {
                 too_few = bits;
             }
         }
-        self.low.rounded(enough, Toward::Above)
+        self.low.rounded::<Up>(enough)
     }
 }

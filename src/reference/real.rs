@@ -3,7 +3,9 @@
 use std::cmp::Ordering;
 use std::fmt;
 
-use crate::dyadic::{Dyadic, Toward, Vector, cross, dot};
+use dashu_float::round::mode::Down;
+
+use crate::dyadic::{Dyadic, Vector, cross, dot};
 use crate::interval::Interval;
 
 /// A real number as the reference computes it, with at least 440 significant bits. It is exact if the
@@ -180,7 +182,7 @@ pub fn angle_between(a: &[Real; 3], b: [f64; 3]) -> f64 {
     }
     let (a, b): (Vector, Vector) = (a.clone().map(|x| x.0), b.map(Dyadic::from_f64));
     let (across, along) = (cross(&a, &b), dot(&a, &b));
-    let across = dot(&across, &across).sqrt(120, Toward::Below);
+    let across = dot(&across, &across).sqrt::<Down>(120);
     // Scale both numbers, so that the larger one is close to 1. Only their ratio matters.
     let scale = -across.log2().max(along.log2()).unwrap_or(0);
     Real(across.shifted(scale)).to_f64().atan2(Real(along.shifted(scale)).to_f64())

@@ -3,7 +3,9 @@
 use std::cmp::Ordering;
 
 use crate::camera::{Camera, Orientation};
-use crate::dyadic::{Dyadic, Toward, Vector, cross, dot, minus, vector};
+use dashu_float::round::mode::{Down, Up};
+
+use crate::dyadic::{Dyadic, Vector, cross, dot, minus, vector};
 use crate::families::Draw;
 use crate::object::Object;
 use crate::quotient::Quotient;
@@ -56,13 +58,13 @@ fn arithmetic_rounds_as_the_processor_does() {
         same(&exact(a) - &exact(b), a - b);
         same(&exact(a) * &exact(b), a * b);
         assert_eq!(exact(a).cmp(&exact(b)), a.partial_cmp(&b).unwrap_or(Ordering::Equal));
-        for toward in [Toward::Below, Toward::Above] {
-            same(exact(a.abs()).sqrt(200, toward), a.abs().sqrt());
-            if b != 0.0 {
-                // With 2500 bits, no quotient of doubles is close to the midpoint of two doubles
-                // without being equal to it.
-                same(exact(a).divided(&exact(b), 2500, toward), a / b);
-            }
+        same(exact(a.abs()).sqrt::<Down>(200), a.abs().sqrt());
+        same(exact(a.abs()).sqrt::<Up>(200), a.abs().sqrt());
+        if b != 0.0 {
+            // With 2500 bits, no quotient of doubles is close to the midpoint of two doubles without
+            // being equal to it.
+            same(exact(a).divided::<Down>(&exact(b), 2500), a / b);
+            same(exact(a).divided::<Up>(&exact(b), 2500), a / b);
         }
     }
 }
@@ -74,21 +76,21 @@ fn directed_rounding_brackets_the_truth_tightly() {
         let (a, b) = (exact(any_f64(&mut draw)), exact(any_f64(&mut draw)));
         let x = &(&a * &b) + &exact(any_f64(&mut draw));
         let bits = draw.whole(1, 120) as usize;
-        let [low, high] = [Toward::Below, Toward::Above].map(|toward| x.rounded(bits, toward));
+        let [low, high] = [x.rounded::<Down>(bits), x.rounded::<Up>(bits)];
         assert!(low <= x && x <= high && low.length() <= bits && high.length() <= bits);
         // Neighbours, and the number itself where it fits.
         assert_eq!(low == high, x.length() <= bits);
         let width = (&high - &low).log2().unwrap_or(i64::MIN);
         assert!(width <= x.log2().unwrap_or(0) + 1 - bits as i64);
         if !b.is_zero() {
-            let [low, high] = [Toward::Below, Toward::Above].map(|way| a.divided(&b, bits, way));
+            let [low, high] = [a.divided::<Down>(&b, bits), a.divided::<Up>(&b, bits)];
             let (mut low, mut high) = (&low * &b, &high * &b);
             if b.sign() == Ordering::Less {
                 (low, high) = (high, low);
             }
             assert!(low <= a && a <= high);
         }
-        let [low, high] = [Toward::Below, Toward::Above].map(|way| x.abs().sqrt(bits, way));
+        let [low, high] = [x.abs().sqrt::<Down>(bits), x.abs().sqrt::<Up>(bits)];
         assert!(low.square() <= x.abs() && x.abs() <= high.square());
     }
 }
@@ -116,7 +118,7 @@ fn floats_at_the_ends_of_the_range() {
 
 #[test]
 fn ulps_are_spacings_at_the_truth() {
-    let third = Real::new(exact(1.0).divided(&exact(3.0), 500, Toward::Below));
+    let third = Real::new(exact(1.0).divided::<Down>(&exact(3.0), 500));
     // The doubles around 1/3 are 1/3 and 2/3 of a spacing away.
     let near = third.to_f64();
     assert!((third.ulps_from(near) - 1.0 / 3.0).abs() < 1e-15);
@@ -169,9 +171,9 @@ fn the_nearest_of_misses_is_told_from_zero() {
             };
             assert_eq!(root.sign(&field), expected, "{step}");
             // It is sqrt(3) (p^2 - 2 q^2) / (p + q sqrt(2)), in which nothing cancels.
-            let [two, three] = [2, 3].map(|n| whole(n).sqrt(BITS, Toward::Below));
+            let [two, three] = [2, 3].map(|n| whole(n).sqrt::<Down>(BITS));
             let sum = &p + &(&q * &two);
-            let known = three.divided(&sum, BITS, Toward::Below);
+            let known = three.divided::<Down>(&sum, BITS);
             let known = if expected == Ordering::Less { -&known } else { known };
             let off = (root.value(&field).dyadic() - &known).abs();
             assert!(off < known.abs().shifted(-440), "{step}");
@@ -185,12 +187,12 @@ fn the_nearest_of_misses_is_told_from_zero() {
 const BITS: usize = 1000;
 
 fn rounded(v: Vector) -> Vector {
-    v.map(|x| x.rounded(BITS, Toward::Below))
+    v.map(|x| x.rounded::<Down>(BITS))
 }
 
 fn unit(v: &Vector) -> Vector {
-    let length = dot(v, v).sqrt(BITS, Toward::Below);
-    v.clone().map(|x| x.divided(&length, BITS, Toward::Below))
+    let length = dot(v, v).sqrt::<Down>(BITS);
+    v.clone().map(|x| x.divided::<Down>(&length, BITS))
 }
 
 /// Computes a pixel's first hit and its t by the textbook's formulas in [`BITS`] bits: basis,
@@ -212,7 +214,7 @@ fn by_the_textbook(case: &FrameCase, row: u32, column: u32) -> Option<(usize, Dy
     };
     let centre = |index: u32, count: u32| {
         let (position, count) = (whole(2 * i64::from(index) + 1), whole(2 * i64::from(count)));
-        &position.divided(&count, BITS, Toward::Below) - &exact(0.5)
+        &position.divided::<Down>(&count, BITS) - &exact(0.5)
     };
     let (x, y) = (&exact(width) * &centre(column, columns), &exact(-height) * &centre(row, rows));
     let direction: Vector =
@@ -241,10 +243,8 @@ fn textbook_roots(object: &Object, eye: &Vector, direction: &Vector) -> Vec<Dyad
             if discriminant.sign() == Ordering::Less {
                 return Vec::new();
             }
-            let root = discriminant.sqrt(BITS, Toward::Below);
-            [-&(&b + &root), &root - &b]
-                .map(|x| x.divided(&a.shifted(1), BITS, Toward::Below))
-                .to_vec()
+            let root = discriminant.sqrt::<Down>(BITS);
+            [-&(&b + &root), &root - &b].map(|x| x.divided::<Down>(&a.shifted(1), BITS)).to_vec()
         }
         Object::Plane { point, normal } => {
             let normal = vector(*normal);
@@ -253,7 +253,7 @@ fn textbook_roots(object: &Object, eye: &Vector, direction: &Vector) -> Vec<Dyad
                 return Vec::new();
             }
             let offset = dot(&normal, &minus(&vector(*point), eye));
-            vec![offset.divided(&rate, BITS, Toward::Below)]
+            vec![offset.divided::<Down>(&rate, BITS)]
         }
     }
 }
@@ -289,7 +289,7 @@ fn agrees_with_the_textbook(name: &str, case: &FrameCase) {
             let object = hit.as_ref().map(|hit| hit.object);
             assert_eq!(object, textbook.as_ref().map(|x| x.0), "{name} {row} {column}: {case:?}");
             if let (Some(hit), Some((_, t))) = (hit, textbook) {
-                let off = Real::new((hit.t.dyadic() - &t).divided(&t, 64, Toward::Above));
+                let off = Real::new((hit.t.dyadic() - &t).divided::<Up>(&t, 64));
                 let limit = Real::new(Dyadic::power_of_two(-430));
                 assert!(off < limit && off > Real::from(-1e-129), "{name} {row} {column}: {off:?}");
             }

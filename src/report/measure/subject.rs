@@ -16,7 +16,7 @@ use rayon::ThreadPool;
 use super::condition::Problem;
 
 /// A description of the reference.
-pub(super) const REFERENCE: &str = "arbitrary precision (crate pinhole-reference, on dashu-int): \
+pub(super) const REFERENCE: &str = "arbitrary precision (crate pinhole-reference, on dashu-float): \
      decisions proven by intervals of rising precision and exact algebra, t and normals to 440 bits; \
      from eye, at, up, viewport and image, or the ray, as given, nothing rounded on the way";
 
