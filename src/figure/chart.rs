@@ -6,6 +6,8 @@ use egui::{Align2, Color32, FontId, Painter, Pos2, Rect, Shape, Stroke, Vec2, po
 
 use pinhole_lecture::numbers::{power_of_ten, short, written};
 
+use crate::typesetting::theme::STACKED;
+
 /// Maps values to positions along an edge of a chart, in points. The positions may increase or decrease.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Scale {
@@ -175,6 +177,19 @@ pub fn row_numbers(painter: &Painter, left: f32, ticks: &[Tick], ink: GridInk) {
         painter.text(pos2(left - 6.0, *at), Align2::RIGHT_CENTER, text, font, ink.text);
     }
 }
+
+/// Returns two parts of an area: that of a chart, and that of the words to its right, which are at most this wide, in
+/// points and as a fraction of the whole. In a narrow area, the words are below the chart.
+pub fn beside(area: Rect, (points, share): (f32, f32)) -> (Rect, Rect) {
+    if area.width() < STACKED {
+        return area.split_top_bottom_at_y(area.center().y);
+    }
+    let (left, right) = area.split_left_right_at_x(area.right() - points.min(share * area.width()));
+    (left.with_max_x(left.right() - GAP), right)
+}
+
+/// Space between a chart and the words to its right, in points.
+const GAP: f32 = 10.0;
 
 /// The dash and gap that stand for a solid line.
 pub const SOLID: [f32; 2] = [0.0; 2];

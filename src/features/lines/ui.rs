@@ -4,11 +4,12 @@
 use egui::accesskit::Role;
 use egui::{Context, CursorIcon, Grid, Id, Rect, Response, ScrollArea, Sense, Slider, Ui, Vec2};
 use pinhole_core::DVec2;
+use pinhole_figure::chart;
 use pinhole_lecture::Rounding;
 use pinhole_lecture::numbers::{sum, written as number};
 
 use crate::features::lines::state::{LARGEST, LineHandle, LinesLab};
-use crate::features::lines::view::{GRASP, PlaneView, TEXT, is_whole, parts, substitution, text};
+use crate::features::lines::view::{GRASP, NUMBERS, PlaneView, TEXT, is_whole, substitution, text};
 use crate::ui::PageContext;
 use crate::ui::scene::views;
 use crate::ui::widgets::{NumberField, ResponseExt as _, arrows, inside, keep_arrows};
@@ -30,7 +31,7 @@ pub(crate) fn ui(ui: &mut Ui, context: &mut PageContext<'_>) {
     let (lab, digits) = (&mut context.session.shown.lines, context.style.digits);
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
     let area = ui.available_rect_before_wrap();
-    let (left, right) = parts(area);
+    let (left, right) = chart::beside(area, NUMBERS);
     inside(ui, right, |ui| {
         ScrollArea::vertical().id_salt("lines words scrolled").auto_shrink(false).show(ui, |ui| {
             examples(ui, lab);

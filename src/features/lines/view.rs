@@ -16,7 +16,7 @@ use pinhole_figure::overlay::Colors;
 use pinhole_figure::symbols::typeset_message;
 use pinhole_figure::typesetting::labels::{Font, LabelLayout, around};
 use pinhole_figure::typesetting::notation;
-use pinhole_figure::typesetting::theme::{self, STACKED, error_color, text_size};
+use pinhole_figure::typesetting::theme::{self, error_color, text_size};
 use pinhole_lecture::Rounding;
 use pinhole_lecture::lines::{Crossing, ImplicitLine, Meeting, ParametricLine, Substitution};
 use pinhole_lecture::numbers::{equated, sum, written as number};
@@ -28,7 +28,7 @@ pub(crate) const TEXT: f32 = 16.5;
 
 /// Maximum width of the column of numbers to the right of the drawing: in points, and as a fraction of the
 /// total width.
-const NUMBERS: (f32, f32) = (400.0, 0.46);
+pub(crate) const NUMBERS: (f32, f32) = (400.0, 0.46);
 
 /// Writes a line of text of the font's size, with its formulas typeset.
 pub(crate) fn text(ui: &mut Ui, text: &str) {
@@ -39,21 +39,10 @@ pub(crate) fn text(ui: &mut Ui, text: &str) {
 /// input.
 pub(crate) fn draw(ui: &mut Ui, area: Rect, lab: &LinesLab, digits: usize) {
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
-    let (left, right) = parts(area);
+    let (left, right) = chart::beside(area, NUMBERS);
     PlaneView::new(ui, left, lab.window).paint(lab, |_| false, digits);
     let right = right.shrink2(Vec2::new(2.0, 14.0));
     ui.scope_builder(UiBuilder::new().max_rect(right), |ui| substitution(ui, lab, digits));
-}
-
-/// Returns two parts of an area: that of the plane, and that of the numbers to its right or, in a narrow area,
-/// below it.
-pub(crate) fn parts(area: Rect) -> (Rect, Rect) {
-    if area.width() < STACKED {
-        return area.split_top_bottom_at_y(area.center().y);
-    }
-    let middle = area.right() - NUMBERS.0.min(NUMBERS.1 * area.width());
-    let left = Rect::from_min_max(area.min, pos2(middle - 10.0, area.bottom()));
-    (left, Rect::from_min_max(pos2(middle, area.top()), area.max))
 }
 
 /// Shows the steps by which the parametric line is substituted into the implicit one, the point where the

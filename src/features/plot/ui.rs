@@ -11,7 +11,7 @@ use pinhole_figure::chart::{self, GridInk, SOLID, Scale};
 use pinhole_figure::overlay::Colors;
 use pinhole_figure::typesetting::labels::{Font, LabelLayout, around};
 use pinhole_figure::typesetting::notation::{self, formula};
-use pinhole_figure::typesetting::theme::{self, STACKED};
+use pinhole_figure::typesetting::theme;
 use pinhole_figure::{Concept, HoverSource, Inspection};
 use pinhole_lecture::numbers::{equated, equated_tuple, grouped, written as number};
 
@@ -38,14 +38,8 @@ pub(crate) fn graph(ui: &mut Ui, context: &mut PageContext<'_>) {
 pub(crate) fn ui(ui: &mut Ui, context: &mut PageContext<'_>) {
     ui.style_mut().override_font_id = Some(egui::FontId::proportional(TEXT));
     let area = ui.available_rect_before_wrap();
-    let (graph, words) = if area.width() < STACKED {
-        area.split_top_bottom_at_y(area.center().y)
-    } else {
-        let middle = area.right() - WORDS.0.min(WORDS.1 * area.width());
-        let (left, right) = area.split_left_right_at_x(middle);
-        (left.with_max_x(middle - 10.0).with_max_y(area.bottom() - 4.0), right)
-    };
-    draw(ui, graph, context);
+    let (graph, words) = chart::beside(area, WORDS);
+    draw(ui, graph.with_max_y(graph.bottom() - 4.0), context);
     inside(ui, words, |ui| {
         let scrolled = ScrollArea::vertical().id_salt("plot words scrolled").auto_shrink(false);
         scrolled.show(ui, |ui| self::words(ui, context));

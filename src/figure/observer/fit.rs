@@ -241,10 +241,8 @@ impl Subject {
     fn fill(&self, observer: &Observer, size: ViewSize) -> f64 {
         let shown = self.shown_to(observer, size);
         let stand = observer.target() + observer.distance() * observer.back();
-        if self.balls.iter().any(|ball| lies_between(ball, self.around.eye, stand)) {
-            return 0.0;
-        }
-        if !shown.iter().all(|ball| observer.sees_in(ball, size, MARGIN_AT_LABELS)) {
+        let is_hidden = self.balls.iter().any(|ball| lies_between(ball, self.around.eye, stand));
+        if is_hidden || !shown.iter().all(|ball| observer.sees_in(ball, size, MARGIN_AT_LABELS)) {
             return 0.0;
         }
         let points = shown.iter().map(|ball| observer.box_of(&Bound::point(ball.center), size));

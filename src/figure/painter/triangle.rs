@@ -349,15 +349,13 @@ fn texture_corners(vertices: &[&Vertex; 6], corners: &[usize; 6]) -> Option<Rect
     let mut uv = Rect::NAN;
     for (vertex, corner) in vertices.iter().zip(corners) {
         let x = if corner & 1 == 0 { &mut uv.min.x } else { &mut uv.max.x };
-        if !x.is_nan() && *x != vertex.uv.x {
-            return None;
-        }
-        *x = vertex.uv.x;
         let y = if corner & 2 == 0 { &mut uv.min.y } else { &mut uv.max.y };
-        if !y.is_nan() && *y != vertex.uv.y {
-            return None;
+        for (known, own) in [(x, vertex.uv.x), (y, vertex.uv.y)] {
+            if !known.is_nan() && *known != own {
+                return None;
+            }
+            *known = own;
         }
-        *y = vertex.uv.y;
     }
     Some(uv)
 }

@@ -202,9 +202,6 @@ fn ray_through(uv: DVec2) -> Parts {
     (parts, wrongs)
 }
 
-/// u, v and w of the canonical camera.
-const AXES: [DVec3; 3] = [DVec3::X, DVec3::Y, DVec3::Z];
-
 fn through(distance: f64, uv: DVec2) -> Condition {
     Condition::Through { basis: Basis::CANONICAL, distance, uv }
 }
@@ -215,7 +212,7 @@ fn wrong_directions(uv: DVec2, distance: f64) -> impl Iterator<Item = (Mistake, 
     let flat = Mistake::FlatDirection;
     [
         (Mistake::SignOfZ, DVec3::new(u, v, distance)),
-        (flat, flat.usual().direction(AXES, distance, uv)),
+        (flat, flat.usual().direction(DVec3::AXES, distance, uv)),
         (Mistake::UvSwapped, DVec3::new(v, u, -distance)),
         (Mistake::VDown, DVec3::new(u, -v, -distance)),
         (Mistake::ULeft, DVec3::new(-u, v, -distance)),
@@ -274,7 +271,7 @@ fn wall_at_distance(uv: DVec2, distance: f64, z: f64) -> Parts {
     let scaled = distance * uv;
     let dropped = Mistake::DistanceDropped;
     let of_distance = [
-        (dropped, dropped.usual().direction(AXES, distance, uv)),
+        (dropped, dropped.usual().direction(DVec3::AXES, distance, uv)),
         (Mistake::DistanceOnAll, scaled.extend(-distance)),
         (Mistake::DistanceOnUv, scaled.extend(-1.0)),
         (Mistake::ViewportAtOne, (uv / distance).extend(-1.0)),

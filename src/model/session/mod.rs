@@ -4,7 +4,7 @@
 use pinhole_core::methods::{Formula, Method, Precision};
 use pinhole_core::steering::Keep;
 use pinhole_core::{Camera, CameraError, ResolvedCamera, Selection};
-use pinhole_figure::concept::{Concepts, Directed};
+use pinhole_figure::concept::Directed;
 use pinhole_figure::{Concept, HoverSource, Hovered, NumberStyle, Scheme};
 use serde::{Deserialize, Serialize};
 
@@ -190,11 +190,6 @@ impl Session {
     /// Returns what the figure is directed to, unless the pointer is over something else.
     pub fn pointed_line(&self) -> Option<Directed> {
         self.live.directed.filter(|_| self.live.hovered.is_none())
-    }
-
-    /// Returns the concepts of the revealed lines, which stay as they are while the newest one is highlighted.
-    pub fn spoken_lines(&self) -> Concepts {
-        self.pointed_line().map_or(Concepts::default(), |directed| directed.spoken)
     }
 
     /// Returns the concepts that the lesson's step mentions, and those that are highlighted.

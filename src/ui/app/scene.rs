@@ -298,8 +298,7 @@ impl OpenScene {
     /// Replaces the camera. The selected pixel keeps its position in the image.
     pub(super) fn replace_camera(&mut self, camera: Camera) {
         let before = std::mem::replace(&mut self.open.document.camera, camera);
-        let selection = self.session.shown.selection;
-        self.session.shown.selection = selection.in_another_image(before.image, camera.image);
+        self.session.follow_camera(&before, &camera);
     }
 
     /// Freezes the camera as the ghost, with which it is then compared.

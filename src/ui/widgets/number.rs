@@ -263,17 +263,13 @@ fn drag_speed(ui: &Ui, id: Id, value: f64) -> f64 {
     speed
 }
 
-/// Shows three fields in a row, named `NAME x`, `NAME y`, `NAME z`. Returns true if one of them changed.
-pub(crate) fn vector_row(ui: &mut Ui, name: &str, value: &mut DVec3) -> bool {
-    let mut changed = false;
+/// Shows three fields in a row, named `NAME x`, `NAME y`, `NAME z`.
+pub(crate) fn vector_row(ui: &mut Ui, name: &str, value: &mut DVec3) {
     let width = ((ui.available_width() - 2.0 * ui.spacing().item_spacing.x) / 3.0).max(56.0);
     for (axis, coordinate) in [("x", &mut value.x), ("y", &mut value.y), ("z", &mut value.z)] {
-        let field =
-            NumberField { width, ..NumberField::new(&format!("{name} {axis}"), coordinate) }
-                .show(ui);
-        changed |= field.changed();
+        let name = format!("{name} {axis}");
+        NumberField { width, ..NumberField::new(&name, coordinate) }.show(ui);
     }
-    changed
 }
 
 /// Returns the colour that a vector has in the views; `None` for other names.

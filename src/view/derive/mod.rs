@@ -150,13 +150,15 @@ impl Deriver {
 
 /// Returns the highlighted concept; `None` if no concept is highlighted.
 fn highlighted(Inputs { document, session, .. }: Inputs<'_>) -> Option<Highlighted> {
+    // While the pointer is over something else, the concepts of the revealed lines do not stay as they are.
+    let line = session.pointed_line();
     Some(Highlighted {
         concept: session.highlighted()?.in_views(),
         camera: document.camera,
         digits: session.shown.setup.digits,
         dims: session.dims(),
-        spoken: session.spoken_lines(),
-        is_of_step: session.pointed_line().is_some_and(|directed| directed.is_of_step),
+        spoken: line.map(|line| line.spoken).unwrap_or_default(),
+        is_of_step: line.is_some_and(|line| line.is_of_step),
         growth: session.live.growth.filter(|_| session.live.hovered.is_none()).unwrap_or(1.0),
     })
 }

@@ -61,7 +61,7 @@ pub fn subject<'a>(
     let is_in_scale = |sphere: &&Sphere| in_scale.iter().any(|ball| ball.center == sphere.center);
     let sphere = sphere.filter(is_in_scale);
     let sides = sphere.into_iter().flat_map(|sphere| {
-        let axes = [DVec3::X, DVec3::Y, DVec3::Z].map(|axis| sphere.radius * axis);
+        let axes = DVec3::AXES.map(|axis| sphere.radius * axis);
         axes.into_iter().flat_map(|axis| [sphere.center - axis, sphere.center + axis])
     });
     // A plane has no end: where the ray's line meets it is in sight.
