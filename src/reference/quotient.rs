@@ -82,7 +82,7 @@ impl Quotient {
                 None => is_known_not_zero = true,
             }
         }
-        Real::new(Dyadic::ZERO)
+        Real(Dyadic::ZERO)
     }
 }
 

@@ -15,7 +15,7 @@ use crate::interval::Interval;
 /// nearest `f64`, unless the true number is that close to the midpoint of two adjacent `f64` numbers
 /// without being the midpoint.
 #[derive(Clone, PartialEq, Eq, PartialOrd, Ord)]
-pub struct Real(Dyadic);
+pub struct Real(pub(crate) Dyadic);
 
 /// Minimum number of significant bits of a [`Real`].
 const BITS: i64 = 440;
@@ -74,19 +74,10 @@ impl FloatFormat {
 }
 
 impl Real {
-    pub(crate) fn new(value: Dyadic) -> Real {
-        Real(value)
-    }
-
     /// Returns the number that the interval encloses; `None` if the interval is too wide to determine
     /// 440 bits of it.
     pub(crate) fn within(interval: &Interval) -> Option<Real> {
         interval.is_narrow(BITS).then(|| Real(interval.shortest()))
-    }
-
-    #[cfg(test)]
-    pub(crate) fn dyadic(&self) -> &Dyadic {
-        &self.0
     }
 
     /// Returns the nearest `f64`, with ties to even, including subnormals. The result is infinite above

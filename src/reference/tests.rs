@@ -50,7 +50,7 @@ fn arithmetic_rounds_as_the_processor_does() {
             b = f64::from_bits(b.to_bits() & !(0x7ff << 52) | a.to_bits() & 0x7ff << 52);
         }
         let same = |x: Dyadic, y: f64| {
-            let x = Real::new(x).to_f64();
+            let x = Real(x).to_f64();
             assert!(x == y, "{a} {b}: {x} {y}");
         };
         same(exact(a), a);
@@ -99,8 +99,7 @@ fn directed_rounding_brackets_the_truth_tightly() {
 fn floats_at_the_ends_of_the_range() {
     let smallest = f64::from_bits(1);
     let half = exact(smallest).shifted(-1);
-    let (a_little, to_f64) =
-        (Dyadic::power_of_two(-3000), |x: &Dyadic| Real::new(x.clone()).to_f64());
+    let (a_little, to_f64) = (Dyadic::power_of_two(-3000), |x: &Dyadic| Real(x.clone()).to_f64());
     assert_eq!(to_f64(&half), 0.0);
     assert_eq!(to_f64(&(&half + &a_little)), smallest);
     assert_eq!(to_f64(&(&half - &a_little)), 0.0);
@@ -111,14 +110,14 @@ fn floats_at_the_ends_of_the_range() {
     assert_eq!(to_f64(&beyond), f64::INFINITY);
     assert_eq!(to_f64(&(&beyond - &a_little)), f64::MAX);
     assert_eq!(to_f64(&Dyadic::power_of_two(5000)), f64::INFINITY);
-    assert!(!Real::new(half).is_representable() && !Real::new(beyond).is_representable());
+    assert!(!Real(half).is_representable() && !Real(beyond).is_representable());
     assert!(Real::from(f64::MIN_POSITIVE).is_representable());
     assert!(!Real::from(1e-40).is_representable_f32() && Real::from(-1e38).is_representable_f32());
 }
 
 #[test]
 fn ulps_are_spacings_at_the_truth() {
-    let third = Real::new(exact(1.0).divided::<Down>(&exact(3.0), 500));
+    let third = Real(exact(1.0).divided::<Down>(&exact(3.0), 500));
     // The doubles around 1/3 are 1/3 and 2/3 of a spacing away.
     let near = third.to_f64();
     assert!((third.ulps_from(near) - 1.0 / 3.0).abs() < 1e-15);
@@ -175,7 +174,7 @@ fn the_nearest_of_misses_is_told_from_zero() {
             let sum = &p + &(&q * &two);
             let known = three.divided::<Down>(&sum, BITS);
             let known = if expected == Ordering::Less { -&known } else { known };
-            let off = (root.value(&field).dyadic() - &known).abs();
+            let off = (&root.value(&field).0 - &known).abs();
             assert!(off < known.abs().shifted(-440), "{step}");
         }
         (p, q) = (&p + &q.shifted(1), &p + &q);
@@ -289,8 +288,8 @@ fn agrees_with_the_textbook(name: &str, case: &FrameCase) {
             let object = hit.as_ref().map(|hit| hit.object);
             assert_eq!(object, textbook.as_ref().map(|x| x.0), "{name} {row} {column}: {case:?}");
             if let (Some(hit), Some((_, t))) = (hit, textbook) {
-                let off = Real::new((hit.t.dyadic() - &t).divided::<Up>(&t, 64));
-                let limit = Real::new(Dyadic::power_of_two(-430));
+                let off = Real((&hit.t.0 - &t).divided::<Up>(&t, 64));
+                let limit = Real(Dyadic::power_of_two(-430));
                 assert!(off < limit && off > Real::from(-1e-129), "{name} {row} {column}: {off:?}");
             }
         }
