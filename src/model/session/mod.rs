@@ -187,11 +187,6 @@ impl Session {
         hovered.or(directed).or(self.shown.highlighted)
     }
 
-    /// Returns what the figure is directed to, unless the pointer is over something else.
-    pub fn pointed_line(&self) -> Option<Directed> {
-        self.live.directed.filter(|_| self.live.hovered.is_none())
-    }
-
     /// Returns the concepts that the lesson's step mentions, and those that are highlighted.
     pub fn spoken_of(&self) -> Vec<Concept> {
         let spoken = self.shown.spoken.iter().flatten().copied();

@@ -150,8 +150,9 @@ impl Deriver {
 
 /// Returns the highlighted concept; `None` if no concept is highlighted.
 fn highlighted(Inputs { document, session, .. }: Inputs<'_>) -> Option<Highlighted> {
-    // While the pointer is over something else, the concepts of the revealed lines do not stay as they are.
-    let line = session.pointed_line();
+    // While the pointer is over something else, the figure does not show the lines so far.
+    let live = Some(&session.live).filter(|live| live.hovered.is_none());
+    let line = live.and_then(|live| live.directed);
     Some(Highlighted {
         concept: session.highlighted()?.in_views(),
         camera: document.camera,
@@ -159,7 +160,7 @@ fn highlighted(Inputs { document, session, .. }: Inputs<'_>) -> Option<Highlight
         dims: session.dims(),
         spoken: line.map(|line| line.spoken).unwrap_or_default(),
         is_of_step: line.is_some_and(|line| line.is_of_step),
-        growth: session.live.growth.filter(|_| session.live.hovered.is_none()).unwrap_or(1.0),
+        growth: live.and_then(|live| live.growth).unwrap_or(1.0),
     })
 }
 
