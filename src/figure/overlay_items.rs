@@ -128,11 +128,6 @@ impl OverlayItems {
         items.iter().any(|item| self.shows(*item))
     }
 
-    /// Hides these items.
-    pub fn without_each(self, items: &[Item]) -> OverlayItems {
-        items.iter().fold(self, |shown, item| shown.with(*item, false))
-    }
-
     /// Returns the items as which u, v and w are drawn: all three as the basis, or each alone.
     pub fn of_basis(self) -> [Item; 3] {
         let alone = [Item::U, Item::Basis, Item::W];

@@ -147,11 +147,6 @@ impl LinesLab {
         self.trail.last = self.trail.last.max(t);
     }
 
-    /// Clears the trail.
-    pub fn clear_trail(&mut self) {
-        (self.trail.first, self.trail.last) = (self.t, self.t);
-    }
-
     /// Returns the position of a handle; `None` if its line is invalid or not drawn.
     pub fn position_of(&self, handle: LineHandle) -> Option<DVec2> {
         let hidden = match handle {

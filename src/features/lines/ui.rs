@@ -129,7 +129,7 @@ fn time(ui: &mut Ui, lab: &mut LinesLab) {
             ui.selectable_value(&mut lab.trail.step, step, number(step, 5));
         }
         if ui.button("Clear").on_hover_text("Remove the points left behind").clicked() {
-            lab.clear_trail();
+            (lab.trail.first, lab.trail.last) = (lab.t, lab.t);
         }
     });
 }

@@ -104,7 +104,7 @@ impl SecondPictures {
         good: &GoodPicture,
         world: Option<&GoodWorld>,
     ) {
-        let Inputs { session, sizes, watch, .. } = inputs;
+        let Inputs { sizes, watch, .. } = inputs;
         let Some((kind, size)) = sizes.second else { return };
         let mut view = CameraView { without_marks: false, ..camera_view(inputs, good, size) };
         let picture = match (kind, world) {
@@ -119,7 +119,7 @@ impl SecondPictures {
                 // These items show positions of the right camera, which would be wrong in the wrong
                 // camera's picture.
                 let of_right = [Item::UvAxes, Item::Hit, Item::UvLegs, Item::PixelNumbers];
-                view.items = session.shown.setup.items.without_each(&of_right);
+                of_right.into_iter().for_each(|item| view.items.set(item, false));
                 self.wrong_camera(derived, inputs, good, world)
             }
             (_, None) => None,
