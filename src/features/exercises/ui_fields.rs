@@ -199,9 +199,8 @@ fn focus(ctx: &Context, part: &QuestionPart) {
 fn at_fields(exercises: &Exercises) -> Vec<Option<RichText>> {
     let parts = &exercises.question().parts;
     let mut said: Vec<(&str, String)> = Vec::new();
-    let is_no_number =
-        |typed: &&TypedAnswer| typed.feedback.as_ref().is_some_and(Feedback::is_no_number);
-    let has_several = exercises.answers.iter().filter(is_no_number).count() > 1;
+    let feedback = exercises.answers.iter().filter_map(|typed| typed.feedback.as_ref());
+    let has_several = feedback.filter(|said| said.is_no_number()).count() > 1;
     let mut text_of = |part: &QuestionPart, feedback: &Feedback| {
         let sentence = match feedback {
             Feedback::Judged(Verdict::Right) | Feedback::NotAnswered => return None,

@@ -5,6 +5,7 @@ use pinhole_core::methods::{Formula, Method, Precision};
 use pinhole_core::steering::Keep;
 use pinhole_core::{Camera, CameraError, ResolvedCamera, Selection};
 use pinhole_figure::concept::Directed;
+use pinhole_figure::overlay::GhostCamera;
 use pinhole_figure::{Concept, HoverSource, Hovered, NumberStyle, Scheme};
 use serde::{Deserialize, Serialize};
 
@@ -210,6 +211,11 @@ impl Session {
     pub fn number_style(&self) -> NumberStyle {
         let decimals = self.presenting.map(|_| PRESENTED_DECIMALS);
         NumberStyle { decimals, ..self.shown.setup.number_style() }
+    }
+
+    /// Returns the ghost that is drawn beside the camera `now`; `None` if no camera is frozen, or if it is invalid.
+    pub fn frozen_ghost(&self, now: &Camera) -> Option<GhostCamera> {
+        resolve(&self.shown.ghost?.camera, now).ok().as_ref().map(GhostCamera::frozen)
     }
 
     /// Returns true if an exercise is on the stage. While a lesson asks its own question, none is.

@@ -18,7 +18,6 @@ use super::lessons::Lessons;
 use crate::features::play::state::Kind;
 use crate::model::interaction::{FARTHEST, KEY_PAN, KEY_TURN, KEY_ZOOM, NEAREST, NEAREST_GROUND};
 use crate::model::lessons::{self, OpenLesson, StepId, Which, apply};
-use crate::model::session::resolve;
 use crate::model::{Ghost, Live, OpenDocument, Session, Shown, ViewLayout};
 use crate::ui::action::{ObjectAction, Observe};
 use crate::ui::dialogs::Question;
@@ -195,8 +194,7 @@ impl OpenScene {
     /// Returns what is drawn of what the lines so far have spoken of.
     fn subject<'a>(&'a self, scene: &'a Scene, directed: Directed) -> Drawn<'a> {
         let (shown, camera) = (&self.session.shown, &self.open.document.camera);
-        let ghost = shown.ghost.and_then(|ghost| resolve(&ghost.camera, camera).ok());
-        let ghost = ghost.as_ref().map(GhostCamera::frozen);
+        let ghost = self.session.frozen_ghost(camera);
         let ray = (shown.selection, shown.ray_point_t);
         // What a question hides is in sight from the start.
         subject(camera, scene, self.items_to_frame(), ray, directed, ghost.as_ref())
@@ -214,8 +212,7 @@ impl OpenScene {
             let wrong = WrongCamera::new(camera, session.shown.mistakes_view.shown()).ok();
             wrong.as_ref().map(GhostCamera::of_mistake)
         } else {
-            let ghost = session.shown.ghost.and_then(|ghost| resolve(&ghost.camera, camera).ok());
-            ghost.as_ref().map(GhostCamera::frozen)
+            session.frozen_ghost(camera)
         };
         let ray = (session.shown_selection(), session.shown.ray_point_t);
         drawn(camera, scene, items, Some(ray), session.shown.highlighted, ghost.as_ref())

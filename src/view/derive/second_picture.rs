@@ -326,8 +326,7 @@ pub(super) fn ghost_camera(
         let wrong = derived.wrong_camera.as_ref().filter(|_| is_shown)?;
         return wrong.camera.as_ref().ok().map(GhostCamera::of_mistake);
     }
-    let ghost = session.shown.ghost.as_ref()?;
-    resolve(&ghost.camera, &document.camera).ok().as_ref().map(GhostCamera::frozen)
+    session.frozen_ghost(&document.camera)
 }
 
 /// Returns a mark for the wrong camera's ray through the selected pixel; none if there is no such ray.
