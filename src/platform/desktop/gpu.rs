@@ -51,16 +51,6 @@ impl Gpu {
         window: &Arc<Window>,
         software: bool,
     ) -> Result<(Self, String), String> {
-        // Drivers can be broken in many ways, and wgpu panics on some of them.
-        without_panic(|| Self::start(ctx, event_loop, window, software)).flatten()
-    }
-
-    fn start(
-        ctx: &egui::Context,
-        event_loop: &ActiveEventLoop,
-        window: &Arc<Window>,
-        software: bool,
-    ) -> Result<(Self, String), String> {
         let mut setup = WgpuSetupCreateNew::from_display_handle(event_loop.owned_display_handle());
         setup.native_adapter_selector =
             Some(Arc::new(move |adapters, surface| best(adapters, surface, software)));

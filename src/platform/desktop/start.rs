@@ -111,8 +111,14 @@ pub(super) fn surface(
     #[cfg(feature = "wgpu")]
     let on_adapter = |by_hand| {
         let window = open()?;
-        Ok::<_, String>(Gpu::new(ctx, event_loop, &window, by_hand).map(|(gpu, detail)| {
-            OpenWindow { window, surface: Box::new(gpu), renderer: Renderer::Wgpu, detail }
+        // Drivers can be broken in many ways, and wgpu panics on some of them.
+        let gpu =
+            super::display::without_panic(|| Gpu::new(ctx, event_loop, &window, by_hand)).flatten();
+        Ok::<_, String>(gpu.map(|(gpu, detail)| OpenWindow {
+            window,
+            surface: Box::new(gpu),
+            renderer: Renderer::Wgpu,
+            detail,
         }))
     };
     #[cfg(not(feature = "wgpu"))]
