@@ -61,20 +61,16 @@ impl Dyadic {
         Dyadic(self.0.clone() << k as isize)
     }
 
-    fn exponent(&self) -> i64 {
-        self.0.repr().exponent() as i64
-    }
-
     /// Returns `floor(log2 |self|)`; `None` for 0.
     pub(crate) fn log2(&self) -> Option<i64> {
-        (!self.is_zero()).then(|| self.exponent() + self.length() as i64 - 1)
+        (!self.is_zero()).then(|| self.0.repr().exponent() as i64 + self.length() as i64 - 1)
     }
 
     /// Returns `floor(|self| / 2^unit)`, and whether the remainder of this division is less than, equal
     /// to or greater than half of `2^unit` (`None` if the remainder is 0).
     pub(crate) fn in_units(&self, unit: i64) -> (UBig, Option<Ordering>) {
         let magnitude = self.0.repr().significand().clone().into_parts().1;
-        let drop = unit - self.exponent();
+        let drop = unit - self.0.repr().exponent() as i64;
         if self.is_zero() || drop <= 0 {
             return (magnitude << usize::try_from(-drop).unwrap_or(0), None);
         }

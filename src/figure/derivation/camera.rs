@@ -125,13 +125,11 @@ fn followed(symbols: Formula, substituted: Formula, result: Formula) -> Formula 
 
 fn checked(derivation: &BasisByHand, numbers: NumberFormat) -> Vec<DerivedLine> {
     let mut lines = vec![given_line(EYE, GivenVector::Eye, derivation.eye, Concept::Eye, numbers)];
-    let names = || [(U, Concept::U), (V, Concept::V), (W, Concept::W)].into_iter();
-    let values = [
-        (GivenVector::U, derivation.u),
-        (GivenVector::V, derivation.v),
-        (GivenVector::W, derivation.w),
-    ];
-    for ((name, concept), (as_given, value)) in names().zip(values) {
+    for (name, as_given, value, concept) in [
+        (U, GivenVector::U, derivation.u, Concept::U),
+        (V, GivenVector::V, derivation.v, Concept::V),
+        (W, GivenVector::W, derivation.w, Concept::W),
+    ] {
         lines.push(given_line(name, as_given, value, concept, numbers).noted("set by hand"));
     }
     let [u, v, w] = [norm(U), norm(V), norm(W)];
