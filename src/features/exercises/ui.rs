@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use egui::{FontId, Sense, Ui, vec2};
 use pinhole_figure::derivation::Derivation;
-use pinhole_figure::typesetting::theme::{self, WRITTEN};
+use pinhole_figure::typesetting::theme;
 use pinhole_lecture::exercises::{self, Asked, Exercise, Given};
 use pinhole_lecture::lines::{ImplicitLine, ParametricLine};
 use pinhole_lecture::{LARGEST_SEED, next_seed};
@@ -18,8 +18,9 @@ use crate::features::lines::view::{card, draw_exercise};
 use crate::model::Session;
 use crate::ui::action::{AnswersAction, ShareAction};
 use crate::ui::scene::views;
-use crate::ui::widgets::seed_field;
-use crate::ui::widgets::{self, ResponseExt as _, SIZES, button_width, combo, inside, marked_text};
+use crate::ui::widgets::{
+    self, ResponseExt as _, button_width, combo, inside, largest_size, marked_text, seed_field,
+};
 use crate::ui::{PageContext, derivation};
 use crate::view::derive::Derived;
 
@@ -174,8 +175,7 @@ pub(crate) fn ui(ui: &mut Ui, context: &mut PageContext<'_>, size: f32) {
     // Below the fields or, if there is too little room, in their place.
     let has_both = answers + solved(size) <= most;
     let room = if has_both { most - answers } else { most };
-    let of_solution = SIZES.into_iter().find(|own| *own <= size && solved(*own) <= room);
-    let of_solution = of_solution.unwrap_or(WRITTEN);
+    let of_solution = largest_size(size, |own| solved(*own) <= room);
     let solved = solved(of_solution);
     let height = match has_both {
         // What the solution leaves over is for more to be said of the answers.

@@ -138,11 +138,9 @@ pub(crate) fn ui(ui: &mut Ui, PageContext { session, derived, .. }: &mut PageCon
 }
 
 fn question(ui: &mut Ui, rect: Rect) {
-    let width = text_width(ui, ASKED, FontId::proportional(QUESTION));
-    let size = QUESTION * (rect.width() / width.max(1.0)).min(1.0);
-    inside(ui, rect, |ui| {
-        ui.add(egui::Label::new(RichText::new(ASKED).size(size).strong()).truncate())
-    });
+    let fits = |size: &f32| text_width(ui, ASKED, FontId::proportional(*size)) <= rect.width();
+    let text = RichText::new(ASKED).size(largest_size(QUESTION, fits)).strong();
+    inside(ui, rect, |ui| ui.add(egui::Label::new(text).truncate()));
 }
 
 /// Minimum height of an option, in points.
