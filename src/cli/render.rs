@@ -151,7 +151,7 @@ impl Picture<'_> {
         let mut rows = TILE * band.div_ceil(TILE * width as usize);
         /// Bytes of memory for a pixel of a band: its hit and colour, and its certificate and tiles. More than
         /// they take, because what is asked for in one piece is given out in many, with gaps between them.
-        const PIXEL: [usize; 2] = [24, 168];
+        const PIXEL: [usize; 2] = [20, 136];
         let row = PIXEL[usize::from(aov.is_some())] * width as usize;
         let room = |rows: usize| {
             limits::memory("a band of the picture", (rows.min(height as usize) * row) as u64)

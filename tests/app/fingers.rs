@@ -90,7 +90,7 @@ fn presenting_goes_on_and_ends_by_touch() {
 #[test]
 fn a_swipe_over_the_text_leads_through_a_lesson_and_a_short_one_does_not() {
     let mut harness = phone();
-    harness.state_mut().open_lesson(StepId { lesson: Which::Builtin(6), step: 2 }, None);
+    harness.state_mut().open_lesson(StepId { lesson: Which::Builtin(6), step: 4 }, None);
     harness.run();
     let text = pos2(250.0, 560.0);
     let begun = step(&harness);

@@ -364,7 +364,7 @@ fn a_picture_takes_bounded_memory_or_there_is_too_little() {
     use super::outputs::run_within;
 
     let folder = tempfile::tempdir().unwrap();
-    let run = |line| run_within("-v 400000", folder.path(), line);
+    let run = |line| run_within("-v 450000", folder.path(), line);
     run("render planet -o out.png --aov out.exr --width 16384 --height 320").done();
     run("render planet -o no.png --width 16384 --height 16384 --overlay").failed(
         1,
