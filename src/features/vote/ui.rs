@@ -364,19 +364,18 @@ fn explanation(open: &OpenVote, wrong: Option<&ComparedCamera>) -> Vec<String> {
     [verdict, mistake.formula().to_owned()].into_iter().chain(checks).collect()
 }
 
-/// Shows the field for the hands, and the buttons that go on with the vote, ask again or end it: in two rows, or in one
-/// if the page is wide.
+/// Shows the field for the hands and the buttons: in two rows, or in one if the page is wide.
 fn buttons(ui: &mut Ui, view: &mut MistakesView, can_ask: bool, is_wide: bool) {
-    ui.horizontal_wrapped(|ui| {
+    ui.horizontal(|ui| {
         let Some(open) = &mut view.open_vote else { return };
         hands(ui, open);
-        if !is_wide {
-            ui.end_row();
+        if is_wide {
+            ways_on(ui, view, can_ask);
         }
-        reveal(ui, open.is_revealed);
-        ui.add_enabled(can_ask, egui::Button::new("Another one")).asks(VoteAction::Another);
-        ui.button("All mistakes").on_hover_text("Ends the vote").asks(VoteAction::End);
     });
+    if !is_wide {
+        ui.horizontal(|ui| ways_on(ui, view, can_ask));
+    }
 }
 
 /// Shows the field for the hands of the current round, and the button for the next round.
@@ -401,4 +400,11 @@ fn reveal(ui: &mut Ui, is_revealed: bool) {
     let reveal = egui::Button::new(RichText::new("Reveal").strong());
     let response = ui.add_enabled(!is_revealed, reveal);
     response.on_hover_text(hint(VoteAction::Reveal)).asks(VoteAction::Reveal);
+}
+
+/// Shows the buttons that reveal the right option, ask again or end the vote.
+fn ways_on(ui: &mut Ui, view: &MistakesView, can_ask: bool) {
+    reveal(ui, view.is_revealed());
+    ui.add_enabled(can_ask, egui::Button::new("Another one")).asks(VoteAction::Another);
+    ui.button("All mistakes").on_hover_text("Ends the vote").asks(VoteAction::End);
 }

@@ -141,6 +141,15 @@ impl App {
         }
     }
 
+    /// Opens a vote on the question of the lesson's step.
+    fn ask_class(&mut self) {
+        if !self.scene.open_vote() {
+            let how = "A lesson's file has them beside ask: choices = [\"right\", \"wrong\"].";
+            let title = "This question has no answers to vote on";
+            self.say(title.to_owned(), vec![how.to_owned()]);
+        }
+    }
+
     /// Leaves the open scene, or asks about unsaved changes first.
     pub(super) fn leave(&mut self, ctx: &Context, leave: Leave) {
         if leave == Leave::BackToStep && !self.scene.differs_from_step() {
@@ -365,12 +374,7 @@ impl App {
                 self.scene.solve();
                 return self.scene.show_all();
             }
-            LessonAction::Vote if self.scene.open_vote() => return,
-            LessonAction::Vote => {
-                let how = "A lesson's file has them beside ask: choices = [\"right\", \"wrong\"].";
-                let title = "This question has no answers to vote on";
-                return self.say(title.to_owned(), vec![how.to_owned()]);
-            }
+            LessonAction::Vote => return self.ask_class(),
             LessonAction::Close => return self.scene.close_lesson(),
         };
         let Some(to) = to else { return };
