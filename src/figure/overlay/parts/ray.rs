@@ -273,7 +273,7 @@ impl Parts<'_> {
                 self.add(Form::Outline(sphere), &[], pen).when(When::Lit).as_wide();
             }
             (Some(Object::Sphere(sphere)), Concept::Equation { step, .. }) => {
-                self.from_center(sphere, step, pen);
+                self.center_to_eye(sphere, step, pen);
             }
             (Some(Object::Plane(plane)), _) => {
                 let Some(normal) = unit(plane.normal) else { return };
@@ -298,7 +298,7 @@ impl Parts<'_> {
     }
 
     /// Adds the vector from a sphere's centre to the eye; with the square of its length, the radius and the outline.
-    fn from_center(&mut self, sphere: Sphere, step: EquationStep, pen: LineStyle) {
+    fn center_to_eye(&mut self, sphere: Sphere, step: EquationStep, pen: LineStyle) {
         let (center, eye) = (sphere.center, self.figure.camera.eye);
         let middle = center.midpoint(eye);
         let is_squared = step == EquationStep::OffsetSquared;
