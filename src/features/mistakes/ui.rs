@@ -229,17 +229,17 @@ pub(crate) fn card(ui: &mut Ui, context: &PageContext<'_>, wrong: &ComparedCamer
         let checks = wrong.checks.iter().filter(|it| it.passes && it.check.is_of_basis());
         // Three lengths, three right angles, and handedness.
         for row in checks.collect::<Vec<_>>().chunks(3) {
-            ui.horizontal(|ui| row.iter().for_each(|it| passed(ui, it, style)));
+            let formulas: Vec<&str> = row.iter().map(|it| it.check.formula()).collect();
+            let mut values: Vec<String> = row.iter().map(|it| text_of(it.value, style)).collect();
+            values.dedup();
+            let (formulas, values) = (formulas.join(" = "), values.join(", "));
+            ui.horizontal(|ui| {
+                sign(ui, true);
+                let label = ui.label(format!("{formulas} = {values}"));
+                label.spoken(format!("{formulas}: {values} passes"));
+            });
         }
     }
-}
-
-/// Shows a check that passes, with its value.
-fn passed(ui: &mut Ui, Checked { check, value, .. }: &Checked, style: NumberStyle) {
-    let (formula, value) = (check.formula(), text_of(*value, style));
-    sign(ui, true);
-    let label = ui.label(format!("{formula} = {value}"));
-    label.spoken(format!("{formula}: {value} passes"));
 }
 
 /// Returns an upper bound for the number of rows of text on the card.

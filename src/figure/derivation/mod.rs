@@ -260,6 +260,12 @@ impl Derivation {
         self.sections.iter().map(|section| section.lines.len()).sum()
     }
 
+    /// Returns true if lines make vectors out of others.
+    pub fn makes_vectors(&self) -> bool {
+        let mut lines = self.sections.iter().flat_map(|section| &section.lines);
+        lines.any(|line| line.concept.is_some_and(|concept| !concept.grows_from().is_empty()))
+    }
+
     /// Returns the number of lines up to and including the last one about this concept. For a step towards a
     /// basis vector, such as up x w, the lines about that vector count. Returns the number of all lines if
     /// there is no concept or no such line.

@@ -26,6 +26,7 @@ pub(super) struct Glide {
 /// What grows because a line was revealed, or goes back because one was taken back.
 #[derive(Default)]
 struct Growing {
+    /// The lesson's step to which the line belongs.
     step: Option<OpenLesson>,
     /// What the newest revealed line is about.
     directed: Option<Directed>,
@@ -81,14 +82,13 @@ impl Glide {
     ) -> Option<(Directed, f64)> {
         let (time, is_pressed) = ctx.input(|i| (i.time, i.pointer.any_down()));
         let growing = &mut self.growing;
-        if growing.directed != directed || growing.step != self.step {
+        if growing.directed != directed {
             let spoken = directed.map_or(Concepts::default(), |directed| directed.spoken);
-            let is_taken_back = |before: &Directed| {
-                spoken != before.spoken && spoken.is_within(before.spoken) && !before.is_of_step
-            };
-            let taken_back = growing.directed.filter(is_taken_back);
             let same_step = growing.step == self.step;
-            let taken_back = taken_back.filter(|_| same_step);
+            let taken_back = growing.directed.filter(|before| {
+                let is_fewer = spoken != before.spoken && spoken.is_within(before.spoken);
+                same_step && is_fewer && !before.is_of_step
+            });
             *growing = Growing { step: self.step.clone(), directed, taken_back, since: time };
         }
         if is_pressed || is_still {
@@ -101,7 +101,7 @@ impl Glide {
         ctx.request_repaint();
         match growing.taken_back {
             Some(taken_back) => Some((taken_back, 1.0 - eased(share))),
-            None => directed.map(|directed| (directed, eased(share))),
+            None => Some((directed.filter(|directed| !directed.is_of_step)?, eased(share))),
         }
     }
 }

@@ -164,9 +164,11 @@ impl OpenScene {
         };
         let is_left = count < all;
         if is_left {
-            // Beside the graph and the plane, the answer says what comes out, and the lines how.
-            let is_beside = matches!(layout, ViewLayout::Plot | ViewLayout::Lines);
-            shown.revealed_lines = Some(if is_asking && !is_beside { all } else { next });
+            // The answer says what comes out, and the lines how: beside the graph and the plane, and where a vector
+            // grows out of others.
+            let is_by_line = matches!(layout, ViewLayout::Plot | ViewLayout::Lines)
+                || derivation.is_some_and(Derivation::makes_vectors);
+            shown.revealed_lines = Some(if is_asking && !is_by_line { all } else { next });
         }
         is_asking || is_left
     }

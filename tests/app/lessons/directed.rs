@@ -43,17 +43,24 @@ fn an_arrow_grows_when_its_line_is_revealed_and_is_whole_in_the_end() {
     window.set_size(SIZES[0]);
     open(&mut window, 7, 2);
     window.key_press(Key::PageDown);
-    let mut lengths = Vec::new();
-    for _ in 0..8 {
-        window.step();
-        if directed(&window).is_some_and(|directed| directed.concept == Concept::W) {
-            lengths.push(length(&window, Concept::W));
-        }
-    }
+    window.run();
+    let lengths_after = |window: &mut Window, key: Key| {
+        window.key_press(key);
+        let lengths = (0..6).map(|_| {
+            window.step();
+            length(window, Concept::W)
+        });
+        lengths.collect::<Vec<_>>()
+    };
+    let grown = lengths_after(&mut window, Key::PageDown);
     window.run();
     let whole = length(&window, Concept::W);
-    // w is −view, shortened.
-    assert!(lengths.iter().any(|part| *part > 1.2 * whole), "{lengths:?} of {whole}");
+    // w is −view, shortened, and becomes that again.
+    assert!(grown.iter().any(|part| *part > 1.2 * whole), "{grown:?} of {whole}");
+    let undone = lengths_after(&mut window, Key::PageUp);
+    assert!(undone.iter().any(|part| *part > 1.2 * whole), "{undone:?} of {whole}");
+    window.key_press(Key::PageDown);
+    window.run();
     window.key_press(Key::End);
     window.run();
     assert!(whole > 60.0 && length(&window, Concept::W) > 20.0, "{whole}");

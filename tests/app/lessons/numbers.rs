@@ -179,10 +179,8 @@ const NUMBERS: &[(usize, usize, &[Reads])] = &[
         2,
         &[
             ("wrong u", "(−1, 0, 0)"),
-            ("|𝐮|", "1 passes"),
-            ("|𝐯|", "1 passes"),
-            ("|𝐰|", "1 passes"),
-            ("𝐮 · 𝐯", "0 passes"),
+            ("|𝐮| = |𝐯| = |𝐰|", "1 passes"),
+            ("𝐮 · 𝐯 = 𝐯 · 𝐰 = 𝐰 · 𝐮", "0 passes"),
             ("(𝐮 × 𝐯) · 𝐰", "1 passes"),
         ],
     ),

@@ -31,9 +31,9 @@ const SOLID: f32 = 0.1;
 const RING: f64 = 0.55;
 const RIGHT_ANGLE: f64 = 0.17;
 
-/// Angles at which the arcs of the ring pass, in degrees from the vector at which they begin. The arrowhead is on the
-/// last piece.
-const ARC: [f64; 7] = [10.0, 20.0, 30.0, 40.0, 50.0, 60.0, 80.0];
+/// Where an arc from one vector to another passes, as shares of the angle between them. The arrowhead is on the last
+/// piece.
+const ARC: [f64; 10] = [0.1, 0.17, 0.24, 0.31, 0.38, 0.45, 0.52, 0.59, 0.66, 0.9];
 
 /// Distance of a dimension line from the viewport's edge, as a fraction of the viewport's shorter side.
 const BESIDE: f64 = 0.14;
@@ -200,6 +200,11 @@ impl Parts<'_> {
             let tip = side * sine * product;
             self.arrow_from(eye, tip, Head::Filled, pen).named(names[2], VECTOR).when(When::Lit);
         }
+        // The fingers of the right hand turn this way if its thumb is along the product.
+        if lit.is_some() && !figure.is_flat {
+            let pen = LineStyle::new(item, self.colors.ink, 2.2).about(concept).on_top();
+            self.arc(eye, [a / side, b], pen);
+        }
     }
 
     /// Adds the view vector: from the eye to at, with -view beside it; or else at the eye, like up.
@@ -248,6 +253,14 @@ impl Parts<'_> {
         };
         let Some(direction) = unit(up) else { return };
         let pen = LineStyle::new(Item::ViewAndUp, self.colors.given, MEDIUM).about(Concept::Up);
+        if let (Some(resolved), true) = (&figure.resolved, figure.up.is_some()) {
+            // As long as the tip stays here, the camera does not move.
+            let [v, w] = [1.6 * resolved.basis().v, 1.2 * resolved.basis().w];
+            let corners = [w, w + v, v - w, -w];
+            let place = |along: DVec3| Place { at: eye, along, length: Length::Arrow };
+            let plane = LineStyle { width: FINE, color: pen.color.gamma_multiply(0.5), ..pen };
+            self.add(Form::Area, &corners.map(place), LineStyle { concept: None, ..plane });
+        }
         match figure.up {
             Some(length) => self.arrow([eye, eye + length * direction], Head::Filled, pen),
             None => self.arrow_from(eye, UP_LENGTH * direction, Head::Filled, pen),
@@ -286,6 +299,17 @@ impl Parts<'_> {
         }
     }
 
+    /// Adds an arc with an arrowhead from one vector to another, both of length 1.
+    fn arc(&mut self, at: DVec3, [from, to]: [DVec3; 2], pen: LineStyle) {
+        let Some(across) = unit(to - from.dot(to) * from) else { return };
+        let [line @ .., last, tip] = ARC.map(|share| {
+            let (sin, cos) = (share * from.angle_between(to)).sin_cos();
+            Place { at, along: RING * (cos * from + sin * across), length: Length::Arrow }
+        });
+        self.add(Form::Line, &[&line[..], &[last]].concat(), pen).as_wide();
+        self.arrow([last, tip], Head::Filled, pen).as_wide();
+    }
+
     /// Adds the arcs from u to v, from v to w and from w to u, and the right angles between these vectors.
     fn order_and_angles(&mut self, resolved: &ResolvedCamera) {
         let (eye, basis, ink) = (resolved.eye(), resolved.basis(), self.colors.ink);
@@ -301,13 +325,7 @@ impl Parts<'_> {
             _ => None,
         };
         for (from, to) in [(basis.u, basis.v), (basis.v, basis.w), (basis.w, basis.u)] {
-            let points = ARC.map(|angle| {
-                let (sin, cos) = angle.to_radians().sin_cos();
-                place(RING * (cos * from + sin * to))
-            });
-            let [line @ .., last, tip] = points;
-            self.add(Form::Line, &[&line[..], &[last]].concat(), arc);
-            self.arrow([last, tip], Head::Filled, arc);
+            self.arc(eye, [from, to], arc);
             if made.is_none_or(|made| made == from || made == to) {
                 let [a, b] = [from, to].map(|axis| RIGHT_ANGLE * axis);
                 self.line([a, a + b, b].map(place), square);
