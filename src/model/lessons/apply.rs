@@ -54,6 +54,12 @@ pub fn answer(step: &Step, shown: &mut Shown) {
     shown.is_asking = false;
 }
 
+/// Asks the step's question again.
+pub fn ask(step: &Step, shown: &mut Shown) {
+    shown.setup.items = shown.setup.items.without(hidden(step));
+    shown.is_asking = true;
+}
+
 /// Returns the items that will be drawn once the step's question is answered. The observer is placed so
 /// that all of them are in sight from the start, so it need not move when the answer is shown.
 pub fn items_to_frame(step: &Step, shown: &Shown) -> OverlayItems {

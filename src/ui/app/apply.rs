@@ -360,10 +360,15 @@ impl App {
 
     fn lesson_action(&mut self, ctx: &Context, action: LessonAction) {
         let derivation = self.views.derived.derivation.as_deref();
-        let reveals = action == LessonAction::Next
-            && (self.scene.reveal(derivation)
-                || self.scene.session.presenting.is_some() && self.scene.solve());
-        if reveals {
+        let is_presenting = self.scene.session.presenting.is_some();
+        let stays = match action {
+            LessonAction::Next => {
+                self.scene.reveal(derivation) || is_presenting && self.scene.solve()
+            }
+            LessonAction::Previous => is_presenting && self.scene.take_back(),
+            _ => false,
+        };
+        if stays {
             return;
         }
         let Some(open) = &self.scene.lessons.open else { return };

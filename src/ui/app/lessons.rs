@@ -29,6 +29,9 @@ pub(super) struct Lessons {
     pub(super) file: Option<Arc<Lesson>>,
     /// The observer (the world view's camera) with which the step began, fitted to the world view.
     seen_from: Option<Observer>,
+    /// What was shown before each time that more of the step was revealed: whether its question was open, and how many
+    /// lines of the derivation there were.
+    revealed: Vec<(bool, Option<usize>)>,
     /// The pen's strokes over other steps, which are there again when their step is.
     ink: Vec<(StepId, Vec<PenStroke>)>,
     /// The session before the first step.
@@ -116,6 +119,7 @@ impl OpenScene {
         self.lessons.before.get_or_insert_with(|| self.session.clone());
         self.session.shown.revealed_lines = self.lines_to_begin_with(next.step());
         let lessons = &mut self.lessons;
+        lessons.revealed.clear();
         let is_step = matches!(self.open.origin(), Origin::Step(_));
         let same_scene =
             is_step && lessons.open.as_ref().is_some_and(|now| now.shares_scene_with(&next));
@@ -143,10 +147,31 @@ impl OpenScene {
         Ok(Opened { is_another: !same_scene, play })
     }
 
+    /// Shows what comes next in the step, as [`OpenScene::reveal_next`] does, and notes what was shown before.
+    pub(super) fn reveal(&mut self, derivation: Option<&Derivation>) -> bool {
+        let before = (self.session.shown.is_asking, self.session.shown.revealed_lines);
+        let is_revealed = self.reveal_next(derivation);
+        if is_revealed {
+            self.lessons.revealed.push(before);
+        }
+        is_revealed
+    }
+
+    /// Takes back what was revealed last in this step. Returns false if nothing was.
+    pub(super) fn take_back(&mut self) -> bool {
+        let Some((is_asking, revealed_lines)) = self.lessons.revealed.pop() else { return false };
+        let shown = &mut self.session.shown;
+        shown.revealed_lines = revealed_lines;
+        if let (Some(open), true) = (&self.lessons.open, is_asking) {
+            apply::ask(open.step(), shown);
+        }
+        true
+    }
+
     /// Shows the answer to the step's question, and the lines of the derivation that lead to it. If no
     /// question is open, shows the next line of the derivation while presenting. Returns false if everything
     /// was already shown.
-    pub(super) fn reveal(&mut self, derivation: Option<&Derivation>) -> bool {
+    fn reveal_next(&mut self, derivation: Option<&Derivation>) -> bool {
         let is_asking = self.session.shown.is_asking;
         if is_asking {
             self.answer();
@@ -205,6 +230,7 @@ impl OpenScene {
     /// Keeps back the lines of a step when presenting begins, so that they come one by one, unless its question is answered.
     /// When it ends, forgets the ink.
     pub(super) fn presenting_changed(&mut self) {
+        self.lessons.revealed.clear();
         let step = self.lessons.open.as_ref().map(OpenLesson::step);
         if self.session.presenting.is_none() {
             self.lessons.ink.clear();
@@ -233,6 +259,7 @@ impl OpenScene {
     pub(super) fn show_all(&mut self) {
         self.answer();
         self.session.shown.revealed_lines = None;
+        self.lessons.revealed.clear();
     }
 
     /// Opens a vote on the step's question while it is asked. Returns false if the step has no answers to vote on.

@@ -112,7 +112,7 @@ fn program() -> Vec<UiCommand> {
             LessonAction::Next => plain(Lesson, Key::PageDown), plain(LessonUnfocused, Key::ArrowRight);
         Lesson, "Show all of the step", "Shows the answer and the remaining lines of the derivation.",
             LessonAction::ShowAll => plain(LessonUntyped, Key::End);
-        Lesson, "Previous step", "Goes to the lesson's previous step.",
+        Lesson, "Previous step", "Goes to the lesson's previous step. While presenting, takes back the last line or answer first.",
             LessonAction::Previous => plain(Lesson, Key::PageUp), plain(LessonUnfocused, Key::ArrowLeft);
         Lesson, "Back to the step", "Resets everything to the lesson's step.",
             Leave::BackToStep => plain(LessonUntyped, Key::R);

@@ -46,7 +46,7 @@ fn an_arrow_grows_when_its_line_is_revealed_and_is_whole_in_the_end() {
     window.run();
     let lengths_after = |window: &mut Window, key: Key| {
         window.key_press(key);
-        let lengths = (0..6).map(|_| {
+        let lengths = (0..8).map(|_| {
             window.step();
             length(window, Concept::W)
         });
