@@ -179,11 +179,11 @@ const NAMES: &[(Concept, &str, &str)] = &[
 
 impl Concept {
     /// Returns the concept with this name in files: `up-cross-w`, `object 0`, `root 0 1` (root 1 of
-    /// object 0), or `substitution 0` (of the ray into the equation of object 0).
+    /// object 0), or a step on the way to its t, such as `substitution 0`.
     pub fn from_name(name: &str) -> Option<Concept> {
         for step in EquationStep::ALL {
-            if let Some(object) = name.strip_prefix(step.prefix()) {
-                return Some(Concept::Equation { object: object.parse().ok()?, step });
+            if let Some(Ok(object)) = name.strip_prefix(step.prefix()).map(str::parse) {
+                return Some(Concept::Equation { object, step });
             }
         }
         if let Some(object) = name.strip_prefix("object ") {
@@ -302,6 +302,10 @@ mod tests {
             (Concept::Object(7), "object 7"),
             (Concept::Root { object: 2, number: 1 }, "root 2 1"),
             (Concept::Equation { object: 1, step: EquationStep::Discriminant }, "discriminant 1"),
+            (
+                Concept::Equation { object: 3, step: EquationStep::OffsetSquared },
+                "offset squared 3",
+            ),
         ];
         for (concept, name) in NAMES.iter().map(|(c, name, _)| (*c, *name)).chain(numbered) {
             assert_eq!((Concept::from_name(name), &concept.name()[..]), (Some(concept), name));

@@ -229,15 +229,17 @@ pub(crate) fn card(ui: &mut Ui, context: &PageContext<'_>, wrong: &ComparedCamer
         let checks = wrong.checks.iter().filter(|it| it.passes && it.check.is_of_basis());
         // Three lengths, three right angles, and handedness.
         for row in checks.collect::<Vec<_>>().chunks(3) {
-            let formulas: Vec<&str> = row.iter().map(|it| it.check.formula()).collect();
-            let mut values: Vec<String> = row.iter().map(|it| text_of(it.value, style)).collect();
-            values.dedup();
-            let (formulas, values) = (formulas.join(" = "), values.join(", "));
-            ui.horizontal(|ui| {
-                sign(ui, true);
-                let label = ui.label(format!("{formulas} = {values}"));
-                label.spoken(format!("{formulas}: {values} passes"));
-            });
+            let is_same =
+                |a: &&Checked, b: &&Checked| text_of(a.value, style) == text_of(b.value, style);
+            for equal in row.chunk_by(is_same) {
+                let formulas: Vec<&str> = equal.iter().map(|it| it.check.formula()).collect();
+                let (formulas, value) = (formulas.join(" = "), text_of(equal[0].value, style));
+                ui.horizontal(|ui| {
+                    sign(ui, true);
+                    let label = ui.label(format!("{formulas} = {value}"));
+                    label.spoken(format!("{formulas}: {value} passes"));
+                });
+            }
         }
     }
 }

@@ -264,10 +264,26 @@ impl Subject {
         let has_arrow = self.places.iter().any(|(place, _)| place.along != DVec3::ZERO);
         let fixed = Subject { balls, places: Vec::new(), around: self.around.clone(), ..*self };
         let mut fitted = fixed.fit(direction, size);
-        if has_arrow {
-            fitted.distance += (nearest - fitted.depth_of(eye)).max(0.0);
+        let too_near = fitted.depth_of(eye) / nearest;
+        if has_arrow && 0.0 < too_near && too_near < 1.0 {
+            // The eye keeps its place in the picture, beside what covers a part of it.
+            fitted.target = eye + (fitted.target - eye) / too_near;
+            fitted.distance /= too_near;
         }
-        fitted.in_range()
+        self.moved_inside(fitted.in_range(), size)
+    }
+
+    /// Returns the observer moved sideways by as much as something is beyond a border of the view.
+    fn moved_inside(&self, mut observer: Observer, size: ViewSize) -> Observer {
+        let shown = self.shown_to(&observer, size);
+        let [mut right, mut down] = [0.0_f64; 2];
+        let margin = 0.5 * MARGIN_AT_LABELS;
+        for [x0, y0, x1, y1] in shown.iter().map(|ball| observer.box_of(ball, size)) {
+            right = right.max(margin * size.width - x0).min((1.0 - margin) * size.width - x1);
+            down = down.max(margin * size.height - y0).min((1.0 - margin) * size.height - y1);
+        }
+        observer.pan(1.02 * right / size.height, 1.02 * down / size.height);
+        observer
     }
 
     /// Returns the nearest observer in this direction that sees all balls and all that is drawn where nothing covers

@@ -83,7 +83,8 @@ impl Glide {
         let (time, is_pressed) = ctx.input(|i| (i.time, i.pointer.any_down()));
         let growing = &mut self.growing;
         if growing.directed != directed {
-            let spoken = directed.map_or(Concepts::default(), |directed| directed.spoken);
+            let of_line = directed.filter(|directed| !directed.is_of_step);
+            let spoken = of_line.map_or(Concepts::default(), |directed| directed.spoken);
             let same_step = growing.step == self.step;
             let taken_back = growing.directed.filter(|before| {
                 let is_fewer = spoken != before.spoken && spoken.is_within(before.spoken);

@@ -159,6 +159,10 @@ impl OpenScene {
 
     /// Takes back what was revealed last in this step. Returns false if nothing was.
     pub(super) fn take_back(&mut self) -> bool {
+        if self.session.shows_exercise() && self.session.exercises.is_solved {
+            self.session.exercises.toggle_solution();
+            return true;
+        }
         let Some((is_asking, revealed_lines)) = self.lessons.revealed.pop() else { return false };
         let shown = &mut self.session.shown;
         shown.revealed_lines = revealed_lines;
@@ -294,7 +298,9 @@ impl OpenScene {
         let Some(open) = open else { return Ok(Opened::default()) };
         let (seen_from, is_asking) = (self.lessons.seen_from, self.session.shown.is_asking);
         let (revealed_lines, framed) = (self.session.shown.revealed_lines, self.framed);
+        let revealed = mem::take(&mut self.lessons.revealed);
         let opened = self.open_lesson(open.id(), None)?;
+        self.lessons.revealed = revealed;
         apply::clear_answers(open.step(), &mut self.session.exercises);
         self.session.shown.revealed_lines = revealed_lines;
         if !is_asking {

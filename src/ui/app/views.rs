@@ -120,7 +120,9 @@ impl App {
         let (step, is_still) =
             (self.scene.lessons.open.as_ref(), session.preferences.reduced_motion);
         let observer = views.glide.follow(ctx, step, session.shown.observer, is_still);
-        let growth = views.glide.growth(ctx, session.live.directed, is_still);
+        // Where all lines are there at once, none is revealed or taken back.
+        let is_whole = is_still || session.shown.revealed_lines.is_none();
+        let growth = views.glide.growth(ctx, session.live.directed, is_whole);
         let gliding = (observer != session.shown.observer || growth.is_some()).then(|| {
             let shown = Shown { observer, ..session.shown.clone() };
             let mut live = Live { growth: growth.map(|(_, share)| share), ..session.live.clone() };

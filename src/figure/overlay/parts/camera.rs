@@ -193,17 +193,17 @@ impl Parts<'_> {
             if name == "up" || figure.resolved.is_none() {
                 let pen = LineStyle { color, width: ACCOMPANYING + 1.0, ..pen };
                 let part = self.arrow_from(eye, vector, Head::Filled, pen).as_wide();
-                part.named(name, font).when(When::Lit);
+                part.named(name, font).when(When::Lit).bud = 1.0;
             }
         }
         if let (Some(product), Some(sine)) = (unit(cross.product), cross.sine) {
             let tip = side * sine * product;
             self.arrow_from(eye, tip, Head::Filled, pen).named(names[2], VECTOR).when(When::Lit);
-        }
-        // The fingers of the right hand turn this way if its thumb is along the product.
-        if lit.is_some() && !figure.is_flat {
-            let pen = LineStyle::new(item, self.colors.ink, 2.2).about(concept).on_top();
-            self.arc(eye, [a / side, b], pen);
+            // The fingers of the right hand turn this way if its thumb is along the product.
+            if lit.is_some() && !figure.is_flat {
+                let pen = LineStyle::new(item, self.colors.ink, 2.2).about(concept).on_top();
+                self.arc(eye, [a / side, b], pen);
+            }
         }
     }
 
@@ -239,6 +239,9 @@ impl Parts<'_> {
         if is_named {
             part.named("view", POINT);
         }
+        if !is_given {
+            return;
+        }
         let part = self.arrow_from(eye, -VIEW_LENGTH * forward, Head::Filled, back);
         let is_whole = matches!(camera.orientation, Orientation::View { .. });
         part.named("−view", POINT).when(if is_whole { When::Shown } else { When::Lit });
@@ -270,6 +273,9 @@ impl Parts<'_> {
 
     /// Returns the length at which the vector is drawn that becomes u or w when its length is made 1.
     fn length_before(&self, concept: Concept) -> f64 {
+        if self.figure.highlighted.is_none_or(|lit| lit.growth == 1.0) {
+            return BUD;
+        }
         match (concept, BasisDerivation::new(&self.figure.camera)) {
             (Concept::U, BasisDerivation::FromUp(from_up)) => {
                 let cross = from_up.up_cross_w.filter(|cross| cross.sine.is_some());
@@ -306,8 +312,8 @@ impl Parts<'_> {
             let (sin, cos) = (share * from.angle_between(to)).sin_cos();
             Place { at, along: RING * (cos * from + sin * across), length: Length::Arrow }
         });
-        self.add(Form::Line, &[&line[..], &[last]].concat(), pen).as_wide();
-        self.arrow([last, tip], Head::Filled, pen).as_wide();
+        self.add(Form::Line, &[&line[..], &[last]].concat(), pen).as_wide().bud = 1.0;
+        self.arrow([last, tip], Head::Filled, pen).as_wide().bud = 1.0;
     }
 
     /// Adds the arcs from u to v, from v to w and from w to u, and the right angles between these vectors.

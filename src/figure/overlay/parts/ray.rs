@@ -272,7 +272,8 @@ impl Parts<'_> {
             (Some(Object::Sphere(sphere)), Concept::Object(_)) => {
                 self.add(Form::Outline(sphere), &[], pen).when(When::Lit).as_wide();
             }
-            (Some(Object::Sphere(sphere)), Concept::Equation { step, .. }) => {
+            // From the eye, what leads to the eye is a point.
+            (Some(Object::Sphere(sphere)), Concept::Equation { step, .. }) if !figure.is_flat => {
                 self.center_to_eye(sphere, step, pen);
             }
             (Some(Object::Plane(plane)), _) => {
