@@ -26,7 +26,7 @@ pub struct VoteOption {
 }
 
 /// An open vote.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct OpenVote {
     /// The options: at least two.
     pub options: Vec<VoteOption>,
@@ -47,8 +47,12 @@ pub struct OpenVote {
 impl OpenVote {
     /// Opens a vote on the mistake that made a picture.
     pub fn on_mistake(vote: &Vote) -> OpenVote {
-        let option = |mistake: &Mistake| (mistake.name().to_owned(), Some(*mistake));
-        OpenVote::new(vote.options.iter().map(option), vote.right)
+        let option = |mistake: &Mistake| VoteOption {
+            text: mistake.name().to_owned(),
+            mistake: Some(*mistake),
+        };
+        let options = vote.options.iter().map(option).collect();
+        OpenVote { options, right: vote.right, ..OpenVote::default() }
     }
 
     /// Opens a vote on the answers to a question, of which the first is right. Their order depends on their texts alone.
@@ -57,20 +61,9 @@ impl OpenVote {
         sorted.sort();
         let letters: usize = choices.iter().map(String::len).sum();
         sorted.rotate_left(letters % choices.len().max(1));
-        let right = sorted.iter().position(|text| Some(*text) == choices.first());
-        OpenVote::new(sorted.into_iter().map(|text| (text.clone(), None)), right.unwrap_or(0))
-    }
-
-    fn new(options: impl Iterator<Item = (String, Option<Mistake>)>, right: usize) -> OpenVote {
-        OpenVote {
-            options: options.map(|(text, mistake)| VoteOption { text, mistake }).collect(),
-            right,
-            answer: None,
-            is_revealed: false,
-            round: 0,
-            hands: [None; ROUNDS],
-            typed: String::new(),
-        }
+        let right = sorted.iter().position(|text| Some(*text) == choices.first()).unwrap_or(0);
+        let option = |text: &String| VoteOption { text: text.clone(), mistake: None };
+        OpenVote { options: sorted.into_iter().map(option).collect(), right, ..OpenVote::default() }
     }
 
     /// Chooses an option, unless the right one is shown already.
