@@ -176,15 +176,6 @@ impl OpenDocument {
         }
     }
 
-    /// Returns the file that the document was read from; `None` for a built-in scene or a lesson's
-    /// step.
-    pub fn file(&self) -> Option<&Path> {
-        match &self.origin {
-            Origin::Scene(SceneSource::File(path)) => Some(path),
-            Origin::Scene(SceneSource::Builtin(_)) | Origin::Step(_) => None,
-        }
-    }
-
     /// Returns the file that *Save* writes: the scene file from which the document was read.
     pub fn scene_file(&self) -> Option<&Path> {
         match &self.origin {

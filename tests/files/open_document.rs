@@ -76,7 +76,7 @@ fn the_comments_go_along_to_another_name() {
     for path in [&copy, &stranger] {
         open.save_to(path).unwrap();
         assert_eq!(fs::read_to_string(path).unwrap(), SCENE);
-        assert_eq!(open.file(), Some(path.as_path()));
+        assert_eq!(open.scene_file(), Some(path.as_path()));
     }
     // The source is gone, and its comments are not.
     fs::remove_file(&stranger).unwrap();
@@ -172,5 +172,5 @@ fn a_save_that_fails_changes_nothing() {
     let expected = format!("{}: cannot be written: no such file or directory", missing.display());
     assert_eq!(message, expected);
     assert!(open.has_changes());
-    assert_eq!(open.file(), Some(path.as_path()));
+    assert_eq!(open.scene_file(), Some(path.as_path()));
 }

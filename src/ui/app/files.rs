@@ -182,7 +182,8 @@ impl App {
             FileUse::SaveCamera => (format.file.into(), Some(format.ending())),
         };
         let question = FileQuestion { title, endings, hint, writes };
-        let mut field = PathField::new(question, last.or(open.file()), &name.to_string_lossy());
+        let mut field =
+            PathField::new(question, last.or(open.scene_file()), &name.to_string_lossy());
         field.adds = of == FileUse::SaveStep;
         self.over.open(Dialog::File(field, of));
     }
@@ -277,7 +278,7 @@ impl App {
 
     fn export_form(&self, ctx: &Context, subjects: &[FigureSubject]) -> ExportForm {
         let subjects = subjects.iter().map(|subject| self.on_screen(ctx, *subject)).collect();
-        ExportForm::new(self.scene.open.file(), subjects, self.figure_style(ctx))
+        ExportForm::new(self.scene.open.scene_file(), subjects, self.figure_style(ctx))
     }
 
     /// Returns what a figure of the open page shows: a view, the derivation or two lines in the plane.

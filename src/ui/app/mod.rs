@@ -77,7 +77,7 @@ impl App {
     pub fn new(open: OpenDocument, remembered: Remembered, store: Option<Store>) -> App {
         let recovery = Recovery::new(store.as_ref());
         let mut window = AppWindow::new(store, remembered.clone());
-        if let Some(path) = open.file().map(Path::to_owned) {
+        if let Some(path) = open.scene_file().map(Path::to_owned) {
             window.remember(&path);
         }
         let Settings { setup, preferences } = remembered.settings.in_range();
