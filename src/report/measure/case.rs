@@ -153,7 +153,7 @@ impl Set {
         let start = Instant::now();
         let end = (self.decided + self.chunk).min(self.subject.len());
         let follow = |index: usize| {
-            let found = self.workers.iter().map(|worker| worker.kernel.found(index));
+            let found = self.workers.iter().map(|worker| worker.kernel.compared.hit(index));
             (self.subject.truth(index), found.collect::<Vec<Option<MethodHit>>>())
         };
         let answers: Vec<_> = (self.decided..end).into_par_iter().map(follow).collect();
@@ -178,7 +178,7 @@ impl Set {
             let worker = &mut self.workers[index];
             worker.tally.times.push(self.subject.time(&mut worker.kernel, one_thread));
             let row = &mut worker.tally.row;
-            (row.steps, row.steps_of_t) = worker.kernel.steps().map(|[a, b]| (a, b)).unzip();
+            (row.steps, row.steps_of_t) = worker.kernel.timed.steps().map(|[a, b]| (a, b)).unzip();
             self.timings += 1;
         }
     }

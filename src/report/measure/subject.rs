@@ -5,10 +5,10 @@ use std::time::Duration;
 
 use web_time::Instant;
 
-use pinhole_core::methods::{Method, MethodHit, MethodKernel, frame_kernel, ray_kernel};
+use pinhole_core::methods::{Method, MethodKernel, frame_kernel, ray_kernel};
 use pinhole_core::{
     Basis, Camera, DVec3, Orientation, Pixel, Plane, Raster, Ray, ResolvedCamera, Scene, Sphere,
-    Steps, Viewport,
+    Viewport,
 };
 use pinhole_reference::{self as reference, Hit, Object, View};
 use rayon::ThreadPool;
@@ -46,9 +46,9 @@ pub(super) struct MeasuredPicture {
 /// A method that is prepared for a subject.
 pub(super) struct Kernel {
     /// The method's loops whose hits are compared with the reference.
-    compared: Box<dyn MethodKernel>,
+    pub(super) compared: Box<dyn MethodKernel>,
     /// The method's loops that are run to time it.
-    timed: Box<dyn MethodKernel>,
+    pub(super) timed: Box<dyn MethodKernel>,
     /// Number of times that `timed` is run in one time measurement.
     repeats: u32,
 }
@@ -133,19 +133,6 @@ impl CaseSubject {
             None => measure(),
         };
         took.as_nanos() as f64 / pixels.max(1) as f64
-    }
-}
-
-impl Kernel {
-    /// Returns the first hit that the method finds for the ray `index`; `None` if it finds none.
-    pub(super) fn found(&self, index: usize) -> Option<MethodHit> {
-        self.compared.hit(index)
-    }
-
-    /// Returns how many decisions, and how many values of `t`, the ladder made in `f64`, in
-    /// double-double and in exact integers, in the last time measurement; `None` for other methods.
-    pub(super) fn steps(&self) -> Option<[Steps; 2]> {
-        self.timed.steps()
     }
 }
 
