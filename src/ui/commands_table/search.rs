@@ -63,15 +63,9 @@ const BEST: u8 = 4;
 fn fit(word: &str, title: &str, about: &str) -> u8 {
     let is_in =
         |text: &str, before: &str, after: &str| text.contains(&format!("{before}{word}{after}"));
-    let own = if is_in(title, " ", " ") {
-        BEST
-    } else if is_in(title, " ", "") {
-        3
-    } else if is_in(about, " ", "") {
-        2
-    } else {
-        u8::from(is_in(title, "", ""))
-    };
+    let ways = [(title, " ", " "), (title, " ", ""), (about, " ", ""), (title, "", "")];
+    let worse = ways.iter().take_while(|(text, before, after)| !is_in(text, before, after));
+    let own = BEST - worse.count() as u8;
     let synonym = SYNONYMS.iter().find(|(typed, _)| *typed == word);
     own.max(synonym.map_or(0, |(_, other)| fit(other, title, about)))
 }
