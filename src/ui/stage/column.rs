@@ -129,15 +129,12 @@ fn sizes_that_fit(
 /// Returns the height of the title, the texts and the room for the answer.
 fn words_height(ui: &Ui, context: &PageContext<'_>, width: f32, size: f32) -> f32 {
     let open = context.step.map(|step| step.open);
-    let height = |text: &str, width: f32| marked_text::height_within(ui, text, size, width);
-    let title = open.map_or(0.0, |open| {
-        marked_text::height_within(ui, &title(open), title_size(size), width) + GAP
-    });
-    let texts: f32 = paragraphs(context).iter().map(|text| height(text, width) + GAP).sum();
-    let answer = open
-        .and_then(answer)
-        .map_or(0.0, |answer| height(answer, width - 2.0 * PADDING) + GAP + 2.0 * PADDING);
-    title + texts + answer
+    let height = |text: &str, size: f32, inset: f32| {
+        marked_text::height_within(ui, text, size, width - inset) + GAP + inset
+    };
+    let title = open.map_or(0.0, |open| height(&title(open), title_size(size), 0.0));
+    let texts: f32 = paragraphs(context).iter().map(|text| height(text, size, 0.0)).sum();
+    title + texts + open.and_then(answer).map_or(0.0, |answer| height(answer, size, 2.0 * PADDING))
 }
 
 /// Returns the texts below the title: the step's text and question, or the question of an exercise and the step's
