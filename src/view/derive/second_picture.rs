@@ -16,7 +16,7 @@ use pinhole_lecture::mistakes::{
     ComparedCamera, ComparedPicture, ComparedPixels, Mistake, WrongCamera,
 };
 
-use crate::features::accuracy;
+use crate::features::accuracy::comparison::mark_wrong;
 use crate::features::answers::StudentAnswers;
 use crate::model::session::{ViewLayout, resolve};
 use crate::view::derive::{
@@ -135,13 +135,7 @@ impl SecondPictures {
             let drawing = overlay::camera(view, scene, pixels);
             if let Some(compared) = compared {
                 let (raster, width) = (&view.picture.raster, size[0] as usize);
-                accuracy::comparison::mark_wrong(
-                    &compared.comparison,
-                    raster,
-                    width,
-                    sizes.scale,
-                    pixels,
-                );
+                mark_wrong(&compared.comparison, raster, width, sizes.scale, pixels);
             }
             drawing
         };
