@@ -139,23 +139,13 @@ pinhole_core::texts! {
     Light: "Light";
 }
 
-/// Returns a shading's label.
-pub fn shade_label(shade: Shade) -> &'static str {
+/// Returns a shading's label and a description of its colours.
+pub fn shade_texts(shade: Shade) -> [&'static str; 2] {
     match shade {
-        Shade::Lambert => "diffuse",
-        Shade::Normal => "normals",
-        Shade::T => "t",
-        Shade::Object => "flat",
-    }
-}
-
-/// Returns a description of the colours in this shading.
-pub fn shade_about(shade: Shade) -> &'static str {
-    match shade {
-        Shade::Lambert => "Lit from the eye",
-        Shade::Normal => "The normal's x, y, z as red, green, blue",
-        Shade::T => "Nearest t white, farther darker",
-        Shade::Object => "Each object's own colour, flat",
+        Shade::Lambert => ["diffuse", "Lit from the eye"],
+        Shade::Normal => ["normals", "The normal's x, y, z as red, green, blue"],
+        Shade::T => ["t", "Nearest t white, farther darker"],
+        Shade::Object => ["flat", "Each object's own colour, flat"],
     }
 }
 

@@ -19,9 +19,7 @@ use crate::model::session::presenting::{PRESENTED_DECIMALS, Pen, Presenting, SMA
 
 pub use shown::{Setup, Shown};
 
-pub use choices::{
-    Split, Splits, TOOLS, ThemeName, ViewLayout, Workspace, shade_about, shade_label,
-};
+pub use choices::{Split, Splits, TOOLS, ThemeName, ViewLayout, Workspace, shade_texts};
 
 mod choices;
 pub mod presenting;

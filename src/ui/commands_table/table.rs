@@ -11,7 +11,7 @@ use pinhole_lecture::{Exercise, Mistake};
 
 use crate::features::play::state::Kind;
 use crate::model::lessons::{self, Lesson, StepId, Which, title_of};
-use crate::model::session::{TOOLS, ThemeName, ViewLayout, shade_about, shade_label};
+use crate::model::session::{TOOLS, ThemeName, ViewLayout, shade_texts};
 use crate::ui::action::{
     Action, CameraMove, FigureAction, FileAction, FileUse, Leave, LessonAction, LookAction,
     ObjectAction, Observe, PlayAction, ShareAction, Steer, Switch, VoteAction,
@@ -299,8 +299,8 @@ fn choices() -> Vec<UiCommand> {
         add(Group::Layout, layout.label(), layout.about(), LookAction::Layout(layout).into());
     }
     for shade in Shade::ALL {
-        let name = format!("shading {}", shade_label(shade));
-        add(Group::Colours, &name, shade_about(shade), LookAction::Shade(shade).into());
+        let [label, about] = shade_texts(shade);
+        add(Group::Colours, &format!("shading {label}"), about, LookAction::Shade(shade).into());
     }
     for theme in ThemeName::ALL {
         let about = "Colours the window's background.";

@@ -13,7 +13,7 @@ use pinhole_figure::overlay_items::Item;
 use crate::features::play::state::Kind;
 use crate::model::files::{OpenDocument, title_of};
 use crate::model::lessons::{self, StepId, Which};
-use crate::model::session::{DIGITS, TOOLS, ThemeName, ViewLayout, Workspace, shade_label};
+use crate::model::session::{DIGITS, TOOLS, ThemeName, ViewLayout, Workspace, shade_texts};
 use crate::ui::action::{
     Action, Available, FigureAction, FileAction, FileUse, Leave, LookAction, ObjectAction, Observe,
     PlayAction, ShareAction, Switch, request,
@@ -239,7 +239,7 @@ fn view_menu(ui: &mut Ui, there: Available<'_>) {
     });
     ui.menu_button("Shading", |ui| {
         for shade in Shade::ALL {
-            choice(ui, there, shade_label(shade), LookAction::Shade(shade));
+            choice(ui, there, shade_texts(shade)[0], LookAction::Shade(shade));
         }
     });
     ui.menu_button("Colours", |ui| {
