@@ -13,10 +13,11 @@
 use pinhole_core::{DVec2, DVec3, Object, Orientation, ResolvedCamera, Selection};
 use pinhole_exchange::document::Document;
 use pinhole_figure::overlay::{self, HandleMark, Handles, Knob, KnobState};
-use pinhole_figure::{Concept, Item, OverlayItems};
+use pinhole_figure::{Concept, Item};
 use pinhole_lecture::numbers::{equated, equated_tuple};
 
-use crate::features::handles::state::{Corner, Drag, Grabbed, Handle, HandleState, HandleValues};
+use crate::features::handles::state::{Corner, Drag, Grabbed, Handle, HandleValues};
+use crate::model::Session;
 
 /// Distance from the tip of the up arrow to the handle beyond it, in points.
 const BEYOND: f64 = 10.0;
@@ -31,18 +32,16 @@ const TOGETHER: f64 = 0.4;
 pub struct HandleInputs<'a> {
     /// The document.
     pub document: &'a Document,
+    /// What is shown of it.
+    pub session: &'a Session,
     /// The document's camera, if it has a basis.
     pub resolved: Option<&'a ResolvedCamera>,
     /// The selected pixel or point of the viewport.
     pub selection: Selection,
-    /// The overlay items that are shown.
-    pub items: OverlayItems,
     /// The observer.
     pub observer: &'a ResolvedCamera,
     /// Screen pixels per point.
     pub scale: f32,
-    /// True if the observer is directed to a part of the figure.
-    pub is_directed: bool,
 }
 
 /// A handle and its position.
@@ -81,8 +80,9 @@ impl PlacedHandle {
 
 /// Returns all handles in the observer's picture, whether they are drawn or not, in order of preference: of
 /// several handles at the same position, the first one is grabbed.
-pub fn placed(inputs: &HandleInputs, state: &HandleState) -> Vec<PlacedHandle> {
-    if !inputs.items.shows(Item::Handles) {
+pub fn placed(inputs: &HandleInputs) -> Vec<PlacedHandle> {
+    let (items, state) = (inputs.session.shown.setup.items, &inputs.session.live.handles);
+    if !items.shows(Item::Handles) {
         return Vec::new();
     }
     let of_camera = [Handle::Eye, Handle::At, Handle::Up];
@@ -100,7 +100,7 @@ pub fn placed(inputs: &HandleInputs, state: &HandleState) -> Vec<PlacedHandle> {
     let placed = handles.filter_map(|handle| {
         let held = state.drag.filter(|drag| drag.handle() == Some(handle));
         let in_the_way = is_small && handle.is_on_viewport() && held.is_none();
-        if in_the_way || !inputs.items.shows(handle.item()) {
+        if in_the_way || !items.shows(handle.item()) {
             return None;
         }
         let (length, toward) = match held {
@@ -147,7 +147,8 @@ impl HandleInputs<'_> {
     /// up is not drawn.
     fn up_length(&self) -> Option<f64> {
         let camera = &self.document.camera;
-        let arrow = overlay::arrow_length(self.observer, camera.eye, self.scale, self.is_directed);
+        let is_directed = self.session.live.directed.is_some();
+        let arrow = overlay::arrow_length(self.observer, camera.eye, self.scale, is_directed);
         let length = camera.up().length();
         let is_drawn = [arrow, length].iter().all(|x| *x > 0.0 && x.is_finite());
         is_drawn.then(|| (overlay::UP_LENGTH * arrow + self.beyond_up()) / length)
@@ -253,10 +254,11 @@ pub fn value(handle: Handle, part: &HandleValues, digits: usize, from_one: bool)
 
 /// Returns the marks that the overlay draws for the handles. The handles of the eye, of at and of the tip
 /// of up are always drawn, and so are those of a selected or hovered object. A handle of the viewport or of
-/// the pixel is drawn if it is hovered or dragged, or if it changes one of the concepts in `spoken`, which
-/// a lesson mentions.
-pub fn drawn(inputs: &HandleInputs, state: &HandleState, spoken: &[Concept]) -> Handles {
-    let mut placed = placed(inputs, state);
+/// the pixel is drawn if it is hovered or dragged, or if it changes one of the concepts that a lesson
+/// mentions.
+pub fn drawn(inputs: &HandleInputs) -> Handles {
+    let (state, spoken) = (&inputs.session.live.handles, inputs.session.spoken_of());
+    let mut placed = placed(inputs);
     let held = state.drag.and_then(|drag| drag.handle());
     placed.retain(|PlacedHandle { handle, .. }| {
         matches!(handle, Handle::Eye | Handle::At | Handle::Up)

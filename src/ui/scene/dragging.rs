@@ -74,13 +74,9 @@ impl WorldArea<'_> {
     /// Returns all handles with their positions.
     pub(super) fn placed(&self, document: &Document, session: &Session) -> Vec<PlacedHandle> {
         let resolved = document.camera.resolve().ok();
-        let (selection, items) = (session.shown.selection, session.shown.setup.items);
-        let is_directed = session.live.directed.is_some();
+        let (resolved, selection) = (resolved.as_ref(), session.shown.selection);
         let WorldArea { observer, scale, .. } = *self;
-        let resolved = resolved.as_ref();
-        let inputs =
-            HandleInputs { document, resolved, selection, items, observer, scale, is_directed };
-        placed(&inputs, &session.live.handles)
+        placed(&HandleInputs { document, session, resolved, selection, observer, scale })
     }
 
     /// Returns the parameters of a handle's drag. While Ctrl is held, values snap to round steps. While Alt

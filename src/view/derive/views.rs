@@ -92,21 +92,19 @@ fn described(
 ) -> Option<WorldView> {
     let Inputs { document, session, sizes, .. } = inputs;
     let observer = session.shown.observer?;
-    let is_directed = session.live.directed.is_some();
     let placing = HandleInputs {
         document,
+        session,
         resolved: derived.resolved.as_ref(),
         selection: session.shown_selection(),
-        items: session.shown.setup.items,
         observer: world.frame.camera(),
         scale: sizes.scale,
-        is_directed,
     };
     let picture = last_good.filter(|_| derived.fault.is_none()).map(|good| &good.picture);
     let without_marks = sizes.purpose != Purpose::Window;
     let spoken = session.shown.spoken.as_ref();
     let speaks_of_normal = spoken.map(|spoken| spoken.contains(&Concept::Normal));
-    let handles = handles::placed::drawn(&placing, &session.live.handles, &session.spoken_of());
+    let handles = handles::placed::drawn(&placing);
     let figure = Figure {
         resolved: derived.resolved,
         inspection: derived.inspection.clone().map(Same),
@@ -118,7 +116,7 @@ fn described(
         names_all: spoken.is_some() || without_marks,
         shows_normal: session.highlighted() == Some(Concept::Normal)
             || speaks_of_normal.unwrap_or(without_marks),
-        is_directed,
+        is_directed: session.live.directed.is_some(),
         up: handles.up,
         style: sizes.style,
         ..Figure::new(document.camera, observer)
