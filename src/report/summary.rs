@@ -51,6 +51,20 @@ pub(crate) fn outcome(row: &MethodRow) -> Option<Outcome> {
     }
 }
 
+/// Returns the first one of all that have the same key, in order.
+pub(crate) fn distinct<T, K: PartialEq>(
+    all: impl Iterator<Item = T>,
+    key: impl Fn(&T) -> K,
+) -> Vec<T> {
+    let mut distinct: Vec<T> = Vec::new();
+    for one in all {
+        if distinct.iter().all(|known| key(known) != key(&one)) {
+            distinct.push(one);
+        }
+    }
+    distinct
+}
+
 /// Returns the summaries of a report's scenes and families, in order.
 pub(crate) fn summaries(report: &Report) -> Vec<Summary<'_>> {
     report.families().into_iter().map(Summary::new).collect()
@@ -59,12 +73,8 @@ pub(crate) fn summaries(report: &Report) -> Vec<Summary<'_>> {
 impl<'a> Summary<'a> {
     pub(crate) fn new(mut cases: Vec<&'a Case>) -> Summary<'a> {
         cases.sort_by(|a, b| a.knob.unwrap_or(0.0).total_cmp(&b.knob.unwrap_or(0.0)));
-        let mut names: Vec<&str> = Vec::new();
-        for row in cases.iter().flat_map(|case| &case.methods) {
-            if !names.contains(&row.name.as_str()) {
-                names.push(&row.name);
-            }
-        }
+        let names = cases.iter().flat_map(|case| &case.methods).map(|row| row.name.as_str());
+        let names = distinct(names, |name| *name);
         let mut methods: Vec<MethodSummary> =
             names.into_iter().map(|name| MethodSummary::new(name, &cases)).collect();
         // If there are only planes, double-double is counted as another precision of the textbook
@@ -170,12 +180,8 @@ pub(crate) struct MethodOverall<'a> {
 
 /// Returns the summary of every method over all scenes or families.
 pub(crate) fn overall<'a>(summaries: &'a [Summary<'a>]) -> Overall<'a> {
-    let mut all: Vec<&MethodSummary> = Vec::new();
-    for worst in summaries.iter().flat_map(|summary| &summary.methods) {
-        if all.iter().all(|known| known.name != worst.name) {
-            all.push(worst);
-        }
-    }
+    let all = summaries.iter().flat_map(|summary| &summary.methods);
+    let all: Vec<&MethodSummary> = distinct(all, |worst| worst.name);
     let has = |summary: &Summary, worst: &&MethodSummary| summary.method(worst.name).is_some();
     let has_all = |summary: &&Summary| all.iter().all(|worst| has(summary, worst));
     let shared: Vec<&Summary> = summaries.iter().filter(has_all).collect();

@@ -153,14 +153,9 @@ fn grid(painter: &Painter, families: &[&Summary]) {
 
 /// Draws the legend: the marks of the families' formulas with their names, in one line.
 fn legend(painter: &Painter, y: f32, families: &[&Summary]) {
-    let mut formulas: Vec<&str> = Vec::new();
-    for method in families.iter().flat_map(|summary| &summary.methods) {
-        if !formulas.contains(&method.formula) {
-            formulas.push(method.formula);
-        }
-    }
+    let methods = families.iter().flat_map(|summary| &summary.methods);
     let mut at = pos2(MARGIN + 8.0, y);
-    for formula in formulas {
+    for formula in summary::distinct(methods.map(|method| method.formula), |formula| *formula) {
         marker::marker_of(formula).draw(painter, at, Digits::Double);
         at.x += 13.0;
         at.x = painter.text(at, Align2::LEFT_CENTER, formula, plain(16.0), TEXT).right() + 33.0;
