@@ -16,7 +16,7 @@
 
 use std::ops::RangeInclusive;
 
-use crate::format::{ExportScene, ExtraValues, Format, LeftOut};
+use crate::format::{ExportScene, ExtraValues, Format};
 use crate::template::n;
 
 /// All supported languages.
@@ -38,17 +38,7 @@ const fn language(
     file: &'static str,
     template: &'static str,
 ) -> Format {
-    let (conventions, left_out) = (None, LeftOut::Nothing);
-    Format {
-        name,
-        label,
-        short: label,
-        file,
-        conventions,
-        template,
-        left_out,
-        extra: Format::nothing,
-    }
+    Format { name, label, short: label, file, template, ..Format::PLAIN }
 }
 
 /// The range of magnitudes in which `f32` has its full precision, with a safety margin.

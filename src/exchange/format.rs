@@ -78,14 +78,21 @@ pub struct Imported {
 }
 
 impl Format {
+    /// A format that leaves nothing out and has no values of its own.
+    pub(crate) const PLAIN: Format = Format {
+        name: "",
+        label: "",
+        short: "",
+        file: "",
+        conventions: None,
+        template: "",
+        left_out: LeftOut::Nothing,
+        extra: |_, _| Ok(Vec::new()),
+    };
+
     /// Returns the file name extension of the format, without the dot.
     pub fn ending(&self) -> &'static str {
         self.file.rsplit('.').next().unwrap_or_default()
-    }
-
-    /// Returns no values: the function [`Format::extra`] of a format that has no values of its own.
-    pub(crate) fn nothing(_: &ExportScene, _: &mut Vec<String>) -> Result<ExtraValues, String> {
-        Ok(Vec::new())
     }
 
     /// Writes the camera, and the objects if requested, in this format.

@@ -8,7 +8,7 @@ use base64::Engine as _;
 use base64::prelude::BASE64_STANDARD;
 use pinhole_core::{Object, Rgb};
 
-use crate::format::{Conventions, ExportScene, Format, Include, LeftOut};
+use crate::format::{Conventions, ExportScene, Format, Include};
 use crate::format::{ExtraValues, PixelConvention, square_note};
 use crate::template::{self, commas, light, n, quotable};
 
@@ -27,8 +27,8 @@ pub(super) const FORMAT: Format = Format {
         shape: "any: aspectRatio need not be the canvas's",
     }),
     template: include_str!("../templates/gltf.txt"),
-    left_out: LeftOut::Nothing,
     extra,
+    ..Format::PLAIN
 };
 
 /// Returns the template's values for the objects: their nodes, and the top-level arrays of the glTF

@@ -34,8 +34,7 @@ const POVRAY: Format = Format {
         shape: "any: right and up need not go with +W and +H",
     }),
     template: include_str!("../templates/povray.txt"),
-    left_out: LeftOut::Nothing,
-    extra: Format::nothing,
+    ..Format::PLAIN
 };
 
 /// pbrt-v4: `LookAt` and `Camera "perspective"` in a left-handed camera space.
@@ -91,7 +90,7 @@ const MITSUBA: Format = Format {
     }),
     template: include_str!("../templates/mitsuba.txt"),
     left_out: LeftOut::Squares,
-    extra: Format::nothing,
+    ..Format::PLAIN
 };
 
 /// Blender's Python: a camera object with `matrix_world`, whose camera looks along its own -z with y
@@ -245,7 +244,7 @@ const OPENCV: Format = Format {
     }),
     template: include_str!("../templates/opencv.txt"),
     left_out: LeftOut::Objects("K and [R|t] are a camera only"),
-    extra: Format::nothing,
+    ..Format::PLAIN
 };
 
 /// three.js's JSON Object/Scene format 4, which `Object3D.toJSON` writes and `ObjectLoader` reads.
