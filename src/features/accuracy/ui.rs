@@ -18,8 +18,9 @@ use pinhole_exchange::document::Document;
 use pinhole_figure::typesetting::theme::{self, error_color};
 use pinhole_lecture::numbers::{grouped, short, written_whole};
 
-use crate::features::accuracy;
-use crate::features::accuracy::comparison::{Comparison, PixelError};
+use crate::features::accuracy::comparison::{
+    Comparison, DECADES, PixelError, WRONG, color_of_ulps,
+};
 use crate::model::files::title_of;
 use crate::model::session::Session;
 use crate::report::model::{Case, MethodRow, NO_DIGIT, Report};
@@ -69,7 +70,7 @@ pub(crate) fn legend(ui: &mut Ui, area: Rect, compared: &Compared) {
     clipped(ui, below, |ui| {
         ui.horizontal(|ui| {
             let (mark, _) = ui.allocate_exact_size(vec2(12.0, 12.0), egui::Sense::hover());
-            let wrong = theme::finished(ui, accuracy::comparison::WRONG);
+            let wrong = theme::finished(ui, WRONG);
             ui.painter().rect_filled(mark, 0.0, Color32::WHITE);
             ui.painter().rect_filled(mark.shrink(1.5), 0.0, wrong);
             ui.strong(summary(compared));
@@ -91,8 +92,7 @@ fn color_bar(ui: &mut Ui) {
         let left = bar.left() + slice as f32;
         let area = Rect::from_min_max(pos2(left, bar.top()), pos2(left + 1.5, bar.bottom()));
         let share = (slice as f64 + 0.5) / slices as f64;
-        let color =
-            accuracy::comparison::color_of_ulps(10_f64.powf(accuracy::comparison::DECADES * share));
+        let color = color_of_ulps(10_f64.powf(DECADES * share));
         ui.painter().rect_filled(area, 0.0, theme::finished(ui, color));
     }
 }

@@ -170,9 +170,8 @@ fn outcomes(own: &Exercises, mistakes: &mut BTreeSet<Mistake>) -> BTreeSet<Strin
             mistakes.extend(any);
         }
     }
-    let is_open = |said: &Feedback| matches!(said, Feedback::NotAnswered | Feedback::Missing);
     if found.is_empty() {
-        let is_wrong = feedback().any(|said| !said.is_good() && !is_open(said));
+        let is_wrong = feedback().any(Feedback::is_wrong);
         let outcome = if own.is_right() { RIGHT } else { INCOMPLETE };
         found.insert(if is_wrong { OTHER } else { outcome }.to_owned());
     }
