@@ -96,6 +96,21 @@ pub enum BasisError {
     LeftHanded,
 }
 
+impl BasisError {
+    /// Returns the name of the vector at fault: `eye`, `at`, `view`, `up`, `u`, `v` or `w`.
+    pub fn vector(&self) -> &'static str {
+        match self {
+            BasisError::NotFinite { field, .. } => field.trim_start_matches("basis."),
+            BasisError::EyeIsAt { .. } => "at",
+            BasisError::ViewIsZero => "view",
+            BasisError::UpIsZero | BasisError::UpParallelToView { .. } => "up",
+            BasisError::NotUnit { vector: name, .. }
+            | BasisError::NotOrthogonal { second: name, .. } => name,
+            BasisError::LeftHanded => "w",
+        }
+    }
+}
+
 impl Basis {
     /// Returns how far u, v and w are from orthonormal: the sum of `| |a|^2 - 1 |` over the three
     /// vectors and of `|a . b|` over the three pairs.

@@ -258,12 +258,9 @@ fn field_at_fault(error: &CameraError) -> Option<String> {
     Some(match error {
         CameraError::Basis(error) => match error {
             BasisError::NotFinite { field, .. } => format!("camera.{field}"),
-            BasisError::EyeIsAt { .. } => "camera.at".to_owned(),
-            BasisError::ViewIsZero => "camera.view".to_owned(),
-            BasisError::UpIsZero | BasisError::UpParallelToView { .. } => "camera.up".to_owned(),
             BasisError::NotUnit { vector, .. } => format!("camera.basis.{vector}"),
             BasisError::NotOrthogonal { .. } | BasisError::LeftHanded => "camera.basis".to_owned(),
-            _ => return None,
+            other => format!("camera.{}", other.vector()),
         },
         CameraError::Viewport(error) => format!("viewport.{}", error.field),
         _ => return None,

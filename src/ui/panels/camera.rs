@@ -4,8 +4,8 @@ use std::cell::Cell;
 
 use egui::{Context, Grid, Rect, RichText, Ui, UiBuilder};
 use pinhole_core::{
-    Basis, BasisError, Camera, ImageSize, Orientation, OrientationKind, Pixel, ResolvedCamera,
-    Selection, Viewport,
+    Basis, Camera, ImageSize, Orientation, OrientationKind, Pixel, ResolvedCamera, Selection,
+    Viewport,
 };
 use pinhole_figure::symbols::{SymbolKind, meaning, typeset_message};
 use pinhole_figure::typesetting::theme::error_color;
@@ -99,7 +99,7 @@ fn orientation(ui: &mut Ui, camera: &mut Camera) {
     };
     for (name, value) in [("eye", &mut camera.eye)].into_iter().chain(given) {
         // The picture says what is wrong; here only the name of the field is marked.
-        let is_wrong = fault.is_some_and(|fault| is_at_fault(&fault, name));
+        let is_wrong = fault.is_some_and(|fault| fault.vector() == name);
         let color = if is_wrong { Some(error_color(ui)) } else { vector_color(ui, name) };
         let color = color.unwrap_or(ui.visuals().text_color());
         let label = ui.label(RichText::new(name).strong().color(color));
@@ -109,21 +109,6 @@ fn orientation(ui: &mut Ui, camera: &mut Camera) {
         ui.horizontal(|ui| vector_row(ui, name, value));
         ui.end_row();
     }
-}
-
-/// Returns true if the error is about the vector of this name.
-fn is_at_fault(fault: &BasisError, name: &str) -> bool {
-    let at_fault = match fault {
-        BasisError::NotFinite { field, .. } => field.trim_start_matches("basis."),
-        BasisError::EyeIsAt { .. } => "at",
-        BasisError::ViewIsZero => "view",
-        BasisError::UpIsZero | BasisError::UpParallelToView { .. } => "up",
-        BasisError::NotUnit { vector, .. } | BasisError::NotOrthogonal { second: vector, .. } => {
-            vector
-        }
-        _ => "w",
-    };
-    at_fault == name
 }
 
 fn viewport(ui: &mut Ui, camera: &mut Camera, settings: &Settings) {
