@@ -13,7 +13,7 @@ use crate::host::Stamp;
 /// The contents of a scene file: a camera and the objects of the scene.
 ///
 /// Objects are counted from 0: first the spheres, then the CSV file's spheres, then the planes.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Document {
     /// The author's note about the scene: the comment at the beginning of the scene file, without the
     /// `#` signs.
@@ -154,20 +154,6 @@ pub const WALL_COLOR: Rgb = [0x9a, 0x9a, 0x92];
 /// Returns the default colour of the sphere or plane with this index among the objects of its kind.
 pub fn default_color(index: usize) -> Rgb {
     PALETTE[index % PALETTE.len()]
-}
-
-impl Default for Document {
-    /// Returns a document with the canonical camera and no objects.
-    fn default() -> Self {
-        Document {
-            note: String::new(),
-            camera: Camera::CANONICAL,
-            observer: None,
-            spheres: SharedList::default(),
-            csv_spheres: None,
-            planes: SharedList::default(),
-        }
-    }
 }
 
 impl Document {

@@ -83,6 +83,12 @@ pub enum CameraError {
     Image(#[from] ImageError),
 }
 
+impl Default for Camera {
+    fn default() -> Camera {
+        Camera::CANONICAL
+    }
+}
+
 impl Camera {
     /// The lecture's canonical camera: eye at the origin, looking along -z, viewport 1 x 1 at
     /// distance 1, 400 x 400 pixels.
