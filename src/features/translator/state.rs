@@ -12,23 +12,21 @@ use pinhole_exchange::{Document, FileError, limits};
 use pinhole_figure::symbols::{bold, italic};
 use pinhole_lecture::numbers::{equated_tuple, written_whole};
 
+use crate::model::with_defaults;
+
 /// Maximum number of objects that are written and displayed.
 pub const MOST_OBJECTS: usize = 500;
 
-/// The choices in the translator.
-#[derive(Clone, Debug, PartialEq)]
-pub struct Translator {
-    /// The name of the [`Format`].
-    pub target: &'static str,
-    /// True if the objects are written as well.
-    pub objects: bool,
-    /// The notice about the last action, while it is shown.
-    pub notice: Option<Notice>,
-}
-
-impl Default for Translator {
-    fn default() -> Translator {
-        Translator { target: "opencv", objects: false, notice: None }
+with_defaults! {
+    /// The choices in the translator.
+    #[derive(Clone, Debug, PartialEq)]
+    pub struct Translator {
+        /// The name of the [`Format`].
+        pub target: &'static str = "opencv",
+        /// True if the objects are written as well.
+        pub objects: bool = false,
+        /// The notice about the last action, while it is shown.
+        pub notice: Option<Notice> = None,
     }
 }
 
