@@ -3,7 +3,7 @@
 use pinhole_core::arithmetic::{length, unit};
 use pinhole_core::{DVec2, DVec3, ORTHONORMAL_TOLERANCE};
 
-use super::wrong_camera::WrongCamera;
+use super::wrong_camera::{WrongCamera, corners};
 
 pinhole_core::texts! {
     /// A property that every right camera has.
@@ -148,11 +148,8 @@ impl WrongCamera {
                 uv(self.made.uv(1.0, 0.0) - first, DVec2::new(0.0, -viewport.height / rows))
             }
             Check::CornersBalance => {
-                let (row, column) = (rows - 1.0, columns - 1.0);
-                let corners = [(0.0, 0.0), (0.0, column), (row, 0.0), (row, column)];
-                let sum: DVec2 =
-                    corners.iter().map(|(row, column)| self.made.uv(*row, *column)).sum();
-                uv(0.25 * sum, DVec2::ZERO)
+                let all = corners(self.image()).map(|pixel| self.uv_of_pixel(pixel));
+                uv(0.25 * all.into_iter().sum::<DVec2>(), DVec2::ZERO)
             }
         }
     }

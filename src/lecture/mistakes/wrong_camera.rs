@@ -152,7 +152,7 @@ fn is_near(a: DVec3, b: DVec3) -> bool {
 
 /// Returns the image's four corner pixels. If a camera's directions are right there, they are right
 /// everywhere, because they are linear in row and column.
-fn corners(image: ImageSize) -> [Pixel; 4] {
+pub(super) fn corners(image: ImageSize) -> [Pixel; 4] {
     let (last_row, last_column) = (image.height() - 1, image.width() - 1);
     [(0, 0), (0, last_column), (last_row, 0), (last_row, last_column)]
         .map(|(row, column)| Pixel { row, column })
