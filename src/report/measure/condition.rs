@@ -54,9 +54,7 @@ const ONE_ROOT: f64 = 1e-14;
 impl Problem {
     /// Creates the problem whose solution is this first hit.
     pub(super) fn new(ray: &Ray, object: &Object, truth: &Hit) -> Problem {
-        let of_reals = |reals: &[pinhole_reference::Real; 3]| {
-            DVec3::new(reals[0].to_f64(), reals[1].to_f64(), reals[2].to_f64())
-        };
+        let of_reals = |reals: &[Real; 3]| DVec3::from_array(reals.each_ref().map(|x| x.to_f64()));
         let speed = length(ray.direction);
         let (anchor, own) = match object {
             Object::Sphere(sphere) => (sphere.center, sphere.radius),
