@@ -23,8 +23,8 @@ pub(super) struct SceneHistory {
     pub(super) steps: History<Moment>,
     /// The document after the last step.
     pub(super) settled: Document,
-    /// How the last step came about, which the next change may extend.
-    last: Option<Last>,
+    /// The focus and the time of the last step, which the next change may extend.
+    last: Option<(Option<Id>, f64)>,
 }
 
 /// The state before or after a step.
@@ -34,12 +34,6 @@ pub(super) enum Moment {
     Edited(Box<Document>),
     /// Another scene or lesson step was open, with its view.
     Elsewhere(Box<OpenScene>),
-}
-
-#[derive(Debug)]
-struct Last {
-    focus: Option<Id>,
-    time: f64,
 }
 
 impl SceneHistory {
@@ -60,10 +54,10 @@ impl SceneHistory {
         let focus = ctx.memory(|memory| memory.focused());
         let time = ctx.input(|i| i.time);
         let scrolls = ctx.input(|i| i.smooth_scroll_delta().y != 0.0 || i.zoom_delta() != 1.0);
-        let goes_on = self.last.as_ref().is_some_and(|last| {
-            let same_field = last.focus == focus && (focus.is_some() || scrolls);
+        let goes_on = self.last.is_some_and(|(last_focus, then)| {
+            let same_field = last_focus == focus && (focus.is_some() || scrolls);
             let same_name = self.steps.undo_name() == Some(&name.text);
-            name.gradual && same_name && same_field && time - last.time < PAUSE
+            name.gradual && same_name && same_field && time - then < PAUSE
         });
         let settled = std::mem::replace(&mut self.settled, document.clone());
         if goes_on {
@@ -71,7 +65,7 @@ impl SceneHistory {
         } else {
             self.steps.record(name.text, Moment::Edited(Box::new(settled)));
         }
-        self.last = Some(Last { focus, time });
+        self.last = Some((focus, time));
     }
 
     /// Records, as an undo step, that another scene or lesson step was opened, or that the open one was
