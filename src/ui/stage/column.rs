@@ -59,49 +59,35 @@ pub(crate) fn show(ui: &mut Ui, stage: &Stage, context: &mut PageContext<'_>) {
     } else {
         (above, None)
     };
-    let sizes = sizes_that_fit(ui, context, texts, card);
+    let [of_words, of_card] = sizes_that_fit(ui, context, texts, card);
     let mut end = texts.top();
     inside(ui, texts, |ui| {
         ui.set_clip_rect(stage.column.intersect(ui.clip_rect()));
-        words(ui, context, sizes.words);
+        words(ui, context, of_words);
         end = ui.cursor().top();
     });
     let card = card.unwrap_or_else(|| above.with_min_y(end.min(above.bottom())));
     inside(ui, card, |ui| {
         ui.set_clip_rect(card.intersect(ui.clip_rect()));
         match &mut context.session.live.vote {
-            Some(open) => vote::ui::below_question(ui, card, open, sizes.words),
-            None => formulas(ui, context, sizes.card),
+            Some(open) => vote::ui::below_question(ui, card, open, of_words),
+            None => formulas(ui, context, of_card),
         }
     });
     inside(ui, foot, |ui| bottom(ui, context));
 }
 
-/// The sizes of the texts and of the card, in points.
-#[derive(Clone, Copy)]
-struct TextSizes {
-    words: f32,
-    card: f32,
-    /// True if the texts have the size that fits the step as it was opened.
-    is_own: bool,
-}
-
-/// Returns the largest sizes at which the texts and the card fit. `card` is the card's own area, if it is not
+/// Returns the largest sizes at which the texts and the card fit, in points. `card` is the card's own area, if it is not
 /// below the texts. What is changed in a step, as by a drag, leaves the texts as large as they are: only the card
 /// becomes smaller where its numbers get longer, and does not grow again under the hand.
-fn sizes_that_fit(
-    ui: &mut Ui,
-    context: &PageContext,
-    texts: Rect,
-    card: Option<Rect>,
-) -> TextSizes {
+fn sizes_that_fit(ui: &mut Ui, context: &PageContext, texts: Rect, card: Option<Rect>) -> [f32; 2] {
     let (width, height) = (texts.width().to_bits(), texts.height().to_bits());
     let Session { shown, preferences, .. } = &*context.session;
     let written = (&shown.formulas, context.style.digits, preferences.exact_forms);
     let step = Id::unique((paragraphs(context), width, height, written));
     let slot = Id::unique("sizes of the column's text");
-    let last = ui.data(|data| data.get_temp::<(Id, TextSizes)>(slot));
-    let last = last.filter(|last| last.0 == step).map(|(_, sizes)| sizes);
+    let last = ui.data(|data| data.get_temp::<(Id, [f32; 2], bool)>(slot));
+    let last = last.filter(|last| last.0 == step);
     let of_words = |ui: &Ui, size: f32| words_height(ui, context, texts.width(), size);
     let of_card =
         |ui: &mut Ui, size: f32| formulas_height(ui, context, card.unwrap_or(texts).width(), size);
@@ -111,19 +97,19 @@ fn sizes_that_fit(
     };
     let is_changed = context.step.as_ref().is_some_and(|step| step.is_changed);
     let words = match last {
-        Some(last) if last.is_own || is_changed => last.words,
+        Some((_, [words, _], is_own)) if is_own || is_changed => words,
         _ => largest_size(SIZES[0], |size| {
             of_words(ui, *size) <= texts.height() && of_card(ui, *size) <= room(ui, *size)
         }),
     };
     let is_held = ui.input(|input| input.pointer.any_down());
-    let most = last.filter(|_| is_held).map_or(words, |last| last.card);
+    let most = last.filter(|_| is_held).map_or(words, |(_, [_, card], _)| card);
     let room = room(ui, words);
     let card = largest_size(most, |size| of_card(ui, *size) <= room);
-    let is_own = !is_changed || last.is_some_and(|last| last.is_own);
-    let sizes = TextSizes { words, card, is_own };
-    ui.data_mut(|data| data.insert_temp(slot, (step, sizes)));
-    sizes
+    // True if the texts have the size that fits the step as it was opened.
+    let is_own = !is_changed || last.is_some_and(|(.., is_own)| is_own);
+    ui.data_mut(|data| data.insert_temp(slot, (step, [words, card], is_own)));
+    [words, card]
 }
 
 /// Returns the height of the title, the texts and the room for the answer.
