@@ -66,20 +66,15 @@ pub(crate) struct PathField {
     request: Option<FileRequest>,
     /// The path that was chosen in the desktop's dialog.
     chosen: Option<PathBuf>,
-    /// The listed folder and its entries.
+    /// The listed folder and its entries: folders before files, and each kind in order of names.
     folder: PathBuf,
     entries: Vec<FolderEntry>,
     /// The path of an existing file that is overwritten if the user chooses it again.
     overwrite: Option<PathBuf>,
 }
 
-/// A file or folder in the list. Sorting puts folders before files, and each kind in order of names.
-#[derive(PartialEq, Eq, PartialOrd, Ord)]
-struct FolderEntry {
-    is_file: bool,
-    name: String,
-    path: PathBuf,
-}
+/// A file or folder in the list: true for a file, its name, and its path.
+type FolderEntry = (bool, String, PathBuf);
 
 impl PathField {
     /// Creates the field. It starts in the folder of `path`, with `name` filled in.
@@ -134,12 +129,12 @@ impl PathField {
         let files = std::fs::read_dir(&folder).into_iter().flatten().flatten();
         let entries = files.map(|entry| {
             let (path, name) = (entry.path(), entry.file_name().to_string_lossy().into_owned());
-            FolderEntry { is_file: !path.is_dir(), name, path }
+            (!path.is_dir(), name, path)
         });
-        let is_listed = |entry: &FolderEntry| {
-            let ending = entry.path.extension().and_then(|ending| ending.to_str());
+        let is_listed = |(is_file, name, path): &FolderEntry| {
+            let ending = path.extension().and_then(|ending| ending.to_str());
             let is_one = ending.is_some_and(|ending| self.question.endings.contains(&ending));
-            !entry.name.starts_with('.') && (!entry.is_file || is_one)
+            !name.starts_with('.') && (!is_file || is_one)
         };
         self.entries = entries.filter(is_listed).collect();
         self.entries.sort();
@@ -211,7 +206,8 @@ impl PathField {
         });
     }
 
-    /// Shows the folder and its files. Returns the path of a file that was clicked twice.
+    /// Shows the folder and its files. Returns the path of a folder that was clicked, or of a file that was
+    /// clicked twice.
     fn folder_ui(&mut self, ui: &mut Ui) -> Option<PathBuf> {
         let mut chosen = None;
         ui.horizontal_wrapped(|ui| {
@@ -222,27 +218,21 @@ impl PathField {
             }
             ui.weak(self.folder.display().to_string());
         });
-        let mut enter = None;
         let list = ScrollArea::vertical().auto_shrink([false, false]);
         let height = (ui.ctx().content_rect().height() - 360.0).clamp(64.0, 240.0);
         list.max_height(height).min_scrolled_height(height).show(ui, |ui| {
-            for entry in &self.entries {
-                let slash = if entry.is_file { "" } else { "/" };
-                let name = format!("{}{slash}", entry.name);
-                let row = ui.selectable_label(Path::new(&self.text) == entry.path, name);
+            for (is_file, name, path) in &self.entries {
+                let slash = if *is_file { "" } else { "/" };
+                let row =
+                    ui.selectable_label(Path::new(&self.text) == path, format!("{name}{slash}"));
                 // A double click is also reported as a click.
-                if row.clicked() && !entry.is_file {
-                    enter = Some(entry.path.clone());
-                } else if row.double_clicked() {
-                    chosen = Some(entry.path.clone());
+                if row.clicked() && !is_file || row.double_clicked() {
+                    chosen = Some(path.clone());
                 } else if row.clicked() {
-                    self.text = entry.path.display().to_string();
+                    self.text = path.display().to_string();
                 }
             }
         });
-        if let Some(folder) = enter {
-            self.list(folder);
-        }
         chosen
     }
 
