@@ -123,6 +123,12 @@ impl Raster {
         &self.columns
     }
 
+    /// Returns the traced pixel with this index, counted row by row.
+    pub fn pixel(&self, index: usize) -> Pixel {
+        let (row, column) = (index / self.columns.len(), index % self.columns.len());
+        Pixel { row: self.rows[row], column: self.columns[column] }
+    }
+
     /// Returns, for each row of the image, the index in [`Raster::rows`] of the nearest traced row, and
     /// likewise for columns. Of two equally near rows or columns, the first is taken.
     pub fn nearest(&self, image: ImageSize) -> [Vec<usize>; 2] {

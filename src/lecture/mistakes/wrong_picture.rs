@@ -8,8 +8,7 @@
 
 use pinhole_core::{
     BACKGROUND, Basis, Camera, CameraError, DVec3, Frame, HitShader, ImageSize, NO_OBJECT,
-    Orientation, Outputs, Paint, Pixel, Raster, ResolvedCamera, Rgb, Scene, Shade, Viewport,
-    trace_as,
+    Orientation, Outputs, Paint, Raster, ResolvedCamera, Rgb, Scene, Shade, Viewport, trace_as,
 };
 use rayon::prelude::*;
 
@@ -156,14 +155,9 @@ impl WrongPicture {
     ) -> Vec<P> {
         let nearest = self.t.iter().copied().fold(f32::INFINITY, f32::min);
         let shader = HitShader::new(scene, shade, f64::from(nearest));
-        let width = self.raster.columns().len().max(1);
         let color = |index: usize| {
             let object = self.object[index];
-            let pixel = Pixel {
-                row: self.raster.rows()[index / width],
-                column: self.raster.columns()[index % width],
-            };
-            match self.camera.ray(pixel) {
+            match self.camera.ray(self.raster.pixel(index)) {
                 Ok(ray) if object != NO_OBJECT => {
                     shader.color(&ray, object, f64::from(self.t[index]), color_of(object))
                 }

@@ -7,8 +7,7 @@ use web_time::Instant;
 
 use pinhole_core::methods::{Method, MethodKernel, frame_kernel, ray_kernel};
 use pinhole_core::{
-    Basis, Camera, DVec3, Orientation, Pixel, Plane, Raster, Ray, ResolvedCamera, Scene, Sphere,
-    Viewport,
+    Basis, Camera, DVec3, Orientation, Plane, Raster, Ray, ResolvedCamera, Scene, Sphere, Viewport,
 };
 use pinhole_reference::{self as reference, Hit, Object, View};
 use rayon::ThreadPool;
@@ -79,7 +78,7 @@ impl CaseSubject {
                 (scene, *ray, reference::first_hit(&objects_of(scene), origin, direction)?)
             }
             CaseSubject::Frame(picture) => {
-                let ray = picture.camera.ray_of_pixel(picture.pixel(index));
+                let ray = picture.camera.ray_of_pixel(picture.raster.pixel(index));
                 (&*picture.scene, ray, picture.truth(index)?)
             }
         };
@@ -154,14 +153,8 @@ impl MeasuredPicture {
         MeasuredPicture { scene, camera, of_reference, objects, view, raster, timed }
     }
 
-    /// Returns the row and column, in the image, of the pixel with this index in the raster.
-    fn pixel(&self, pixel: usize) -> Pixel {
-        let (rows, columns) = (self.raster.rows(), self.raster.columns());
-        Pixel { row: rows[pixel / columns.len()], column: columns[pixel % columns.len()] }
-    }
-
     fn truth(&self, pixel: usize) -> Option<Hit> {
-        let pixel = self.pixel(pixel);
+        let pixel = self.raster.pixel(pixel);
         if let Some(view) = &self.view {
             return view.first_hit_of_pixel(pixel.row, pixel.column);
         }
