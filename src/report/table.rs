@@ -82,20 +82,10 @@ fn summary(out: &mut String, all: &Overall) {
         let three = |values: Option<[f64; 3]>| {
             values.map_or([(); 3].map(|()| "-".to_owned()), |v| v.map(number))
         };
-        let [error_least, error, error_most] = three(method.errors());
-        let [time_least, time, time_most] = three(least_middle_most(&method.times));
-        [
-            method.first.name.to_owned(),
-            grouped(method.wrong),
-            grouped(method.decisions),
-            percent(method.share),
-            error_least,
-            error,
-            error_most,
-            time_least,
-            time,
-            time_most,
-        ]
+        let [wrong, decisions] = [method.wrong, method.decisions].map(grouped);
+        let own = vec![method.first.name.to_owned(), wrong, decisions, percent(method.share)];
+        let spreads = [method.errors(), least_middle_most(&method.times)];
+        own.into_iter().chain(spreads.into_iter().flat_map(three)).collect()
     };
     const HEADS: [(usize, usize, &str); 2] = [(4, 3, "largest error in t"), (7, 3, "ns a pixel")];
     headed(out, &HEADS, SUMMARY, methods.iter().map(cells));
@@ -104,16 +94,16 @@ fn summary(out: &mut String, all: &Overall) {
 /// Writes a table: a line of group headings, then the names of the columns, then the rows. A group
 /// heading spans one or more columns; it is given by its first column, its number of columns and its
 /// text. The first column is left-aligned, the others are right-aligned.
-fn headed<const N: usize>(
+fn headed(
     out: &mut String,
     heads: &[(usize, usize, &str)],
     columns: &str,
-    rows: impl Iterator<Item = [String; N]>,
+    rows: impl Iterator<Item = Vec<String>>,
 ) {
     let mut table: Vec<Vec<String>> = vec![columns.split(',').map(str::to_owned).collect()];
-    table.extend(rows.map(Vec::from));
+    table.extend(rows);
     let width = |k: usize| table.iter().map(|row| row[k].chars().count()).max().unwrap_or(0);
-    let mut widths: Vec<usize> = (0..N).map(width).collect();
+    let mut widths: Vec<usize> = (0..table[0].len()).map(width).collect();
     let before = heads.first().map_or(0, |(first, ..)| *first);
     let mut line =
         " ".repeat(widths[..before].iter().sum::<usize>() + 2 * before.saturating_sub(1));
@@ -124,15 +114,13 @@ fn headed<const N: usize>(
         let width = columns.iter().map(|width| width + 2).sum();
         let _ = write!(line, "{text:>width$}");
     }
-    out.push_str(&line);
-    out.push('\n');
+    let _ = writeln!(out, "{line}");
     for row in table {
         let mut line = format!("{:<width$}", row[0], width = widths[0]);
         for (cell, width) in row.iter().zip(&widths).skip(1) {
             let _ = write!(line, "  {cell:>width$}");
         }
-        out.push_str(line.trim_end());
-        out.push('\n');
+        let _ = writeln!(out, "{}", line.trim_end());
     }
 }
 
@@ -172,7 +160,7 @@ fn percent(share: Option<f64>) -> String {
     share.map_or("-".to_owned(), |share| format!("{} %", short(100.0 * share)))
 }
 
-fn cells(row: &MethodRow, baseline: Option<f64>) -> [String; 12] {
+fn cells(row: &MethodRow, baseline: Option<f64>) -> Vec<String> {
     let number = |x: Option<f64>| x.map_or("-".to_owned(), short);
     let times = row.ns_per_pixel;
     let quartiles = match (times.lower_quartile, times.upper_quartile) {
@@ -180,7 +168,7 @@ fn cells(row: &MethodRow, baseline: Option<f64>) -> [String; 12] {
         _ => "-".to_owned(),
     };
     let ratio = baseline.zip(times.min).map(|(base, time)| time / base);
-    [
+    vec![
         row.name.clone(),
         grouped(row.wrong),
         percent(row.wrong_share),
