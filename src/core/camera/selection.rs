@@ -106,7 +106,7 @@ impl Selection {
     /// Returns the selection moved by `rows` down and `columns` to the right, for the arrow keys. If a
     /// (u, v) is selected, the first step leads to the next pixel centre in that direction.
     pub fn stepped(self, camera: &ResolvedCamera, rows: i64, columns: i64) -> Selection {
-        let (Pixel { row, column }, rows, columns) = match self {
+        let (Pixel { row, column }, rows, columns) = match self.inside(camera.image()) {
             Selection::Pixel(pixel) => (pixel, rows, columns),
             Selection::Uv(uv) => {
                 let Some(PixelOfUv { pixel, .. }) = camera.pixel_of_uv(uv) else { return self };

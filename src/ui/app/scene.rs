@@ -317,8 +317,8 @@ impl OpenScene {
     /// Moves the selection by whole pixels.
     pub(super) fn step_selection(&mut self, rows: i64, columns: i64) {
         if let Ok(resolved) = self.open.document.camera.resolve() {
-            let selection = self.session.shown.selection.inside(resolved.image());
-            self.session.shown.selection = selection.stepped(&resolved, rows, columns);
+            let selection = &mut self.session.shown.selection;
+            *selection = selection.stepped(&resolved, rows, columns);
         }
     }
 

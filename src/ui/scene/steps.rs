@@ -53,8 +53,7 @@ impl WorldArea<'_> {
         if let Handle::Pixel = found.handle {
             if let Ok(resolved) = document.camera.resolve() {
                 let selected = &mut session.shown.selection;
-                let selection = selected.inside(resolved.image());
-                *selected = selection.stepped(&resolved, -steps.y as i64, steps.x as i64);
+                *selected = selected.stepped(&resolved, -steps.y as i64, steps.x as i64);
             }
             return;
         }
