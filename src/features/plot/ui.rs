@@ -105,12 +105,9 @@ fn objects_at_point(plot: &Plot) -> String {
     };
     let inside = titles(|curve| curve.is_inside(curve.at_point));
     let on = titles(|curve| curve.at_point == 0.0);
-    match (inside.is_empty(), on.is_empty()) {
-        (true, true) => "outside all objects".to_owned(),
-        (false, true) => format!("inside {inside}"),
-        (true, false) => format!("on {on}"),
-        (false, false) => format!("inside {inside}; on {on}"),
-    }
+    let said = [("inside", inside), ("on", on)].into_iter().filter(|(_, all)| !all.is_empty());
+    let said: Vec<String> = said.map(|(how, all)| format!("{how} {all}")).collect();
+    if said.is_empty() { "outside all objects".to_owned() } else { said.join("; ") }
 }
 
 /// Shows the text about a curve: a sample of its line, its title and description, and the value of f at the
