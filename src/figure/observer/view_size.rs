@@ -13,7 +13,7 @@ const ARROW_POINTS: (f64, f64) = (62.0, 125.0);
 const ARROW_SHARE: f64 = 0.28;
 
 /// Maximum length of the basis arrows in a view that is directed to them, as such a fraction.
-const DIRECTED_SHARE: f64 = 0.48;
+const DIRECTED_SHARE: f64 = 0.51;
 
 /// Minimum width and height of a part of the view in which something is shown, as a fraction of the view's.
 const LEAST_SHARE: f64 = 0.25;
