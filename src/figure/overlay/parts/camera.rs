@@ -33,7 +33,7 @@ const RIGHT_ANGLE: f64 = 0.17;
 
 /// Where an arc from one vector to another passes, as shares of the angle between them. The arrowhead is on the last
 /// piece.
-const ARC: [f64; 10] = [0.1, 0.17, 0.24, 0.31, 0.38, 0.45, 0.52, 0.59, 0.66, 0.9];
+const ARC: [f64; 10] = [0.1, 0.17, 0.24, 0.31, 0.38, 0.45, 0.52, 0.59, 0.66, 8.0 / 9.0];
 
 /// Distance of a dimension line from the viewport's edge, as a fraction of the viewport's shorter side.
 const BESIDE: f64 = 0.14;
