@@ -149,9 +149,9 @@ impl Picture<'_> {
         const TILE: usize = 64;
         let [width, height] = [self.size.width(), self.size.height()];
         let mut rows = TILE * band.div_ceil(TILE * width as usize);
-        /// Bytes of memory for a pixel of a band: its hit and colour, and its certificate and tiles. More than
-        /// they take, because what is asked for in one piece is given out in many, with gaps between them.
-        const PIXEL: [usize; 2] = [20, 136];
+        /// Bytes of memory for a pixel of a band: its hit and colour, and its certificate and tiles. Half as
+        /// much again as they take, because what is asked for in one piece is given out in many, with gaps.
+        const PIXEL: [usize; 2] = [24, 168];
         let row = PIXEL[usize::from(aov.is_some())] * width as usize;
         let room = |rows: usize| {
             limits::memory("a band of the picture", (rows.min(height as usize) * row) as u64)
