@@ -177,6 +177,9 @@ const NAMES: &[(Concept, &str, &str)] = &[
     (Concept::Normal, "normal", symbols::NORMAL),
 ];
 
+/// The vectors that lead tip to tail along d.
+const LEGS: &[Concept] = &[Concept::AlongU, Concept::AlongV, Concept::AlongW];
+
 impl Concept {
     /// Returns the concept with this name in files: `up-cross-w`, `object 0`, `root 0 1` (root 1 of
     /// object 0), or a step on the way to its t, such as `substitution 0`.
@@ -223,9 +226,7 @@ impl Concept {
             Concept::UpCrossW => &[Concept::W],
             Concept::WCrossU => &[Concept::W, Concept::U],
             Concept::Backwards => &[Concept::View],
-            Concept::AlongU | Concept::AlongV | Concept::AlongW => {
-                &[Concept::AlongU, Concept::AlongV, Concept::AlongW]
-            }
+            leg if leg.is_leg() => LEGS,
             Concept::Equation { step: EquationStep::Offset, .. } => &[Concept::Direction],
             _ => &[],
         }
@@ -233,7 +234,7 @@ impl Concept {
 
     /// Returns true for one of the vectors that lead tip to tail along d.
     pub fn is_leg(self) -> bool {
-        matches!(self, Concept::AlongU | Concept::AlongV | Concept::AlongW)
+        LEGS.contains(&self)
     }
 
     /// Returns the concepts out of which this one grows when its line follows theirs, and which stay beside it.
@@ -242,7 +243,7 @@ impl Concept {
             Concept::W => &[Concept::Backwards],
             Concept::U => &[Concept::UpCrossW, Concept::W],
             Concept::V => &[Concept::WCrossU],
-            Concept::Direction => &[Concept::AlongU, Concept::AlongV, Concept::AlongW],
+            Concept::Direction => LEGS,
             other => other.made_from(),
         }
     }

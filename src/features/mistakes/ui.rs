@@ -231,15 +231,15 @@ pub(crate) fn card(ui: &mut Ui, context: &PageContext<'_>, wrong: &ComparedCamer
         for row in checks.collect::<Vec<_>>().chunks(3) {
             let is_same =
                 |a: &&Checked, b: &&Checked| text_of(a.value, style) == text_of(b.value, style);
-            for equal in row.chunk_by(is_same) {
-                let formulas: Vec<&str> = equal.iter().map(|it| it.check.formula()).collect();
-                let (formulas, value) = (formulas.join(" = "), text_of(equal[0].value, style));
-                ui.horizontal(|ui| {
+            ui.horizontal(|ui| {
+                for equal in row.chunk_by(is_same) {
+                    let formulas: Vec<&str> = equal.iter().map(|it| it.check.formula()).collect();
+                    let (formulas, value) = (formulas.join(" = "), text_of(equal[0].value, style));
                     sign(ui, true);
                     let label = ui.label(format!("{formulas} = {value}"));
                     label.spoken(format!("{formulas}: {value} passes"));
-                });
-            }
+                }
+            });
         }
     }
 }

@@ -255,6 +255,10 @@ impl Derivation {
         Derivation { sections: vec![section], left_out: 0 }
     }
 
+    fn lines(&self) -> impl Iterator<Item = &DerivedLine> {
+        self.sections.iter().flat_map(|section| &section.lines)
+    }
+
     /// Returns the number of lines.
     pub fn line_count(&self) -> usize {
         self.sections.iter().map(|section| section.lines.len()).sum()
@@ -262,7 +266,7 @@ impl Derivation {
 
     /// Returns true if lines make vectors out of others.
     pub fn makes_vectors(&self) -> bool {
-        let mut lines = self.sections.iter().flat_map(|section| &section.lines);
+        let mut lines = self.lines();
         lines.any(|line| line.concept.is_some_and(|concept| !concept.grows_from().is_empty()))
     }
 
@@ -276,14 +280,14 @@ impl Derivation {
             Concept::WCrossU => Concept::V,
             other => other,
         });
-        let lines = self.sections.iter().flat_map(|section| &section.lines);
+        let lines = self.lines();
         let about = lines.enumerate().filter(|(_, line)| concept.is_some_and(|c| line.is_about(c)));
         about.last().map_or(self.line_count(), |(k, _)| k + 1)
     }
 
     /// Returns what the last of the first `count` lines that is about a concept directs to; `None` if none is.
     pub fn directed(&self, count: usize) -> Option<Directed> {
-        let lines = self.sections.iter().flat_map(|section| &section.lines).take(count);
+        let lines = self.lines().take(count);
         let directing = lines.filter_map(|line| Some((line, line.directs_to.or(line.concept)?)));
         directing.fold(None, |before: Option<Directed>, (line, concept)| {
             let spoken = before.map_or(Concepts::default(), |before| before.spoken);
@@ -301,7 +305,7 @@ impl Derivation {
     /// Returns the number of lines up to and including the first derived one after these, so that given
     /// numbers come together with what follows from them. Returns `all` if no derived line is among those.
     pub fn lines_after(&self, shown: usize, all: usize) -> usize {
-        let lines = self.sections.iter().flat_map(|section| &section.lines);
+        let lines = self.lines();
         let mut rest = lines.take(all).skip(shown);
         rest.position(|line| !line.is_given).map_or(all, |k| shown + k + 1)
     }

@@ -99,11 +99,12 @@ impl Glide {
         if share >= 1.0 {
             return None;
         }
+        let (shown, growth) = match growing.taken_back {
+            Some(taken_back) => (taken_back, 1.0 - eased(share)),
+            None => (directed.filter(|directed| !directed.is_of_step)?, eased(share)),
+        };
         ctx.request_repaint();
-        match growing.taken_back {
-            Some(taken_back) => Some((taken_back, 1.0 - eased(share))),
-            None => Some((directed.filter(|directed| !directed.is_of_step)?, eased(share))),
-        }
+        Some((shown, growth))
     }
 }
 

@@ -278,10 +278,8 @@ impl Parts<'_> {
         }
         match (concept, BasisDerivation::new(&self.figure.camera)) {
             (Concept::U, BasisDerivation::FromUp(from_up)) => {
-                let cross = from_up.up_cross_w.filter(|cross| cross.sine.is_some());
-                cross.map_or(BUD, |cross| {
-                    side_length(cross.first.length) * cross.sine.unwrap_or(1.0)
-                })
+                let length = |cross: Cross| Some(side_length(cross.first.length) * cross.sine?);
+                from_up.up_cross_w.and_then(length).unwrap_or(BUD)
             }
             (Concept::W, BasisDerivation::FromUp(_)) => VIEW_LENGTH,
             _ => BUD,
